@@ -1,0 +1,7 @@
+!> Everything public of the core under one name: `use kyvadlo`.
+module kyvadlo
+   use kyvadlo_kinds
+   use kyvadlo_status
+   implicit none
+   public
+end module kyvadlo
