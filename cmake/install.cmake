@@ -1,0 +1,45 @@
+# cmake --install: libraries, program, module files, package files, licence.
+include(CMakePackageConfigHelpers)
+
+# Module files can be read by the compiler that wrote them only, so they lie in a folder named after it.
+set(KYVADLO_MODDIR ${CMAKE_INSTALL_INCLUDEDIR}/kyvadlo/${CMAKE_Fortran_COMPILER_ID}-${CMAKE_Fortran_COMPILER_VERSION}
+  CACHE STRING "Folder of the installed .mod files, relative to the prefix")
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/kyvadlo)
+
+set(installed_targets kyvadlo_core kyvadlo)
+foreach(target IN LISTS installed_targets)
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${KYVADLO_MODDIR}>)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/modules/${target}/ DESTINATION ${KYVADLO_MODDIR} FILES_MATCHING PATTERN "*.mod")
+endforeach()
+target_include_directories(kyvadlo INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+install(TARGETS ${installed_targets} EXPORT kyvadlo_targets)
+if(TARGET kyvadlo_driver)
+  file(RELATIVE_PATH libraries_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
+  install(TARGETS kyvadlo_driver)
+endif()
+set_target_properties(kyvadlo PROPERTIES INSTALL_RPATH "$ORIGIN")
+
+install(EXPORT kyvadlo_targets NAMESPACE kyvadlo:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/kyvadlo-config.cmake.in ${PROJECT_BINARY_DIR}/kyvadlo-config.cmake
+  INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/kyvadlo-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/kyvadlo-config.cmake ${PROJECT_BINARY_DIR}/kyvadlo-config-version.cmake
+  DESTINATION ${package_dir})
+
+# pkg-config. Paths are relative to the .pc file, so that the tree may be moved; what only the static libraries need is
+# private: GSL, and for callers in C the run-time libraries of Fortran.
+file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+set(pc_requires_private "")
+if(KYVADLO_WITH_GSL)
+  set(pc_requires_private "gsl")
+endif()
+set(pc_libs_private ${CMAKE_Fortran_IMPLICIT_LINK_LIBRARIES})
+list(FILTER pc_libs_private INCLUDE REGEX "^(gfortran|quadmath|m)$")
+list(REMOVE_DUPLICATES pc_libs_private)
+list(TRANSFORM pc_libs_private PREPEND "-l")
+list(JOIN pc_libs_private " " pc_libs_private)
+configure_file(cmake/kyvadlo.pc.in ${PROJECT_BINARY_DIR}/kyvadlo.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/kyvadlo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,42 @@
+# Installs kyvadlo into an empty prefix, moves the prefix, and builds and runs test/consumer against it.
+#
+#   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -DFLAGS=<Fortran flags> -DC_FLAGS=<...>
+#         -DBUILD=<built tree>                      the static or shared libraries of that tree, or
+#         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised     -P consumer.cmake
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+if(SHARED)
+  set(BUILD ${WORK}/build)
+  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G ${GENERATOR} -DBUILD_SHARED_LIBS=ON -DKYVADLO_BUILD_TESTS=OFF
+    -DKYVADLO_WITH_GSL=${WITH_GSL} -DCMAKE_BUILD_TYPE=None "-DCMAKE_Fortran_FLAGS=${FLAGS} -O0" "-DCMAKE_C_FLAGS=${C_FLAGS}")
+  run(${CMAKE_COMMAND} --build ${BUILD})
+endif()
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/prefix)
+if(NOT EXISTS ${WORK}/prefix/share/doc/kyvadlo/LICENSE)
+  message(FATAL_ERROR "the licence is not installed")
+endif()
+
+run(${CMAKE_COMMAND} -S ${SOURCE}/test/consumer -B ${WORK}/consumer -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+  "-DCMAKE_Fortran_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/consumer)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/consumer --output-on-failure --no-tests=error)
+
+# The same through pkg-config, where it is installed.
+find_program(PKG_CONFIG pkg-config)
+find_program(GFORTRAN gfortran)
+if(PKG_CONFIG AND GFORTRAN)
+  file(GLOB_RECURSE pc ${WORK}/prefix/*/kyvadlo.pc)
+  cmake_path(GET pc PARENT_PATH pc_folder)
+  set(ENV{PKG_CONFIG_PATH} ${pc_folder})
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs --static kyvadlo OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(flags UNIX_COMMAND "${FLAGS} ${flags}")
+  cmake_path(GET pc_folder PARENT_PATH libraries)
+  run(${GFORTRAN} -o ${WORK}/by_pkg_config ${SOURCE}/test/consumer/with_everything.f90 ${flags} -Wl,-rpath,${libraries})
+  run(${WORK}/by_pkg_config)
+endif()

@@ -1,0 +1,41 @@
+# Copies kinds, status, kyvadlo, elliptic/ and pendulum/ to an empty folder and builds them there alone; then looks at every
+# `use`: it must name an intrinsic module or a module of those files.
+#
+#   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -P core_alone.cmake
+file(REMOVE_RECURSE ${WORK})
+file(COPY ${SOURCE}/test/checks/core_alone/CMakeLists.txt DESTINATION ${WORK})
+file(COPY ${SOURCE}/src/kinds.f90 ${SOURCE}/src/status.f90 ${SOURCE}/src/kyvadlo.f90 ${SOURCE}/src/elliptic ${SOURCE}/src/pendulum
+  DESTINATION ${WORK}/src)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_Fortran_FLAGS=-O0
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB_RECURSE sources ${WORK}/src/*.f90 ${WORK}/src/*.F90 ${WORK}/src/*.inc)
+set(own "")
+set(used "")
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} lines REGEX "^[ \t]*(module|MODULE)[ \t]+[A-Za-z_0-9]+[ \t]*$")
+  foreach(line IN LISTS lines)
+    string(STRIP "${line}" line)
+    string(REGEX REPLACE "^[A-Za-z]+[ \t]+" "" line "${line}")
+    list(APPEND own ${line})
+  endforeach()
+  file(STRINGS ${source} lines REGEX "^[ \t]*(use|USE)[ \t,]")
+  foreach(line IN LISTS lines)
+    string(STRIP "${line}" line)
+    if(NOT line MATCHES "^(use|USE)[ \t]*,[ \t]*intrinsic")
+      string(REGEX REPLACE "^[A-Za-z]+[ \t]*(,[^:]*)?(::)?[ \t]*([A-Za-z_0-9]+).*" "\\3" line "${line}")
+      list(APPEND used ${line})
+    endif()
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES used)
+list(LENGTH used count)
+if(count LESS 2)
+  message(FATAL_ERROR "found ${count} modules in use: this check reads the sources wrongly")
+endif()
+list(REMOVE_ITEM used ${own})
+if(used)
+  message(FATAL_ERROR "the core uses modules that are neither intrinsic nor of the core: ${used}")
+endif()
+message(STATUS "${count} modules in use, all of the core")

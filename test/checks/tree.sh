@@ -1,0 +1,45 @@
+#!/bin/sh
+# Rules of the tree that no compiler checks. Prints every breach and fails if there is one.
+#
+#   tree.sh TOP
+set -u
+cd "$1" || exit 1
+if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+   files() { git ls-files -- "$@"; }
+else
+   files() { for name in "$@"; do [ ! -e "$name" ] || find "$name" -type f; done; }
+fi
+breaches=0
+
+# refuse WHAT EXTENDED_REGEX PATH...: no file under these paths may have such a line. `[x]` keeps this script clean itself.
+refuse() {
+   what=$1; pattern=$2; shift 2
+   found=$(files "$@" | grep -v -E '^build/' | tr '\n' '\0' | xargs -0 -r grep -n -I -i -E -e "$pattern" /dev/null)
+   if [ -n "$found" ]; then
+      printf '%s:\n%s\n' "$what" "$found"
+      breaches=$((breaches + 1))
+   fi
+}
+
+count=$(files . | wc -l)
+[ "$count" -gt 20 ] || { echo "only $count files found: this check looks in the wrong place"; exit 1; }
+
+refuse 'path of one machine' '(^|[^A-Za-z0-9_.])/(wor[k]|tm[p]/build|roo[t]|home/[a-z])(/|$|[^a-z])' .
+refuse 'unfinished mark' '\b(TOD[O]|FIXM[E]|XX[X])\b' src test examples doc cmake bootstrap README.md CMakeLists.txt
+refuse 'fast-math' '-[O]fast|-ffast-mat[h]|-funsafe-mat[h]' bootstrap .ci cmake CMakeLists.txt CMakePresets.json src examples
+
+# Only the program prints or stops.
+refuse 'the library prints or stops' '^[^!'"'"'"]*\b((error )?stop\b|print *(\*|'"'"')|write *\( *\*)' \
+   src/kinds.f90 src/status.f90 src/kyvadlo.f90 src/elliptic src/pendulum src/numeric src/scene src/interfaces
+
+# State lives in arguments.
+refuse 'saved state' '^[^!]*(\bsave\b *(::|$)|, *save\b)' src/elliptic src/pendulum src/numeric src/scene src/interfaces
+
+long=$(files src | xargs wc -l | awk '$2 != "total" && $1 > 500 { print $2 ": " $1 " lines" }')
+[ -z "$long" ] || { printf 'longer than 500 lines:\n%s\n' "$long"; breaches=$((breaches + 1)); }
+wide=$(files src test examples | grep -E '\.(f90|F90|inc|pf|c|h)$' | grep -v coefficients | tr '\n' '\0' |
+   xargs -0 -r awk 'length($0) > 132 { print FILENAME ":" FNR ": " length($0) " columns" }')
+[ -z "$wide" ] || { printf 'lines over 132 columns:\n%s\n' "$wide"; breaches=$((breaches + 1)); }
+
+[ "$breaches" -eq 0 ] || exit 1
+echo "$count files, no breach"
