@@ -1,0 +1,41 @@
+!> Complete elliptic integrals of the first and second kind K, E and their parts D, B in three kinds.
+!>
+!> real64 evaluates polynomials, real32 the same ones, real128 the arithmetic-geometric mean.
+module kyvadlo_complete_polynomials
+   use, intrinsic :: iso_fortran_env, only: wp => real64, int64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+#include "complete_polynomials.inc"
+end module kyvadlo_complete_polynomials
+
+module kyvadlo_complete_mean
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_nome_real128, only: log_nome
+#include "complete_mean.inc"
+end module kyvadlo_complete_mean
+
+module kyvadlo_complete_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
+   use kyvadlo_complete_polynomials, only: first_kind, second_kind, d_kind, b_kind
+#include "complete.inc"
+end module kyvadlo_complete_real32
+
+module kyvadlo_complete_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
+   use kyvadlo_complete_polynomials, only: first_kind, second_kind, d_kind, b_kind
+#include "complete.inc"
+end module kyvadlo_complete_real64
+
+module kyvadlo_complete_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
+   use kyvadlo_complete_mean, only: first_kind, second_kind, d_kind, b_kind
+#include "complete.inc"
+end module kyvadlo_complete_real128
+
+module kyvadlo_complete
+   use kyvadlo_complete_real32
+   use kyvadlo_complete_real64
+   use kyvadlo_complete_real128
+   implicit none
+   public
+end module kyvadlo_complete

@@ -1,0 +1,27 @@
+!> The nome of elliptic functions in three kinds.
+module kyvadlo_nome_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "nome.inc"
+end module kyvadlo_nome_real32
+
+module kyvadlo_nome_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "nome.inc"
+end module kyvadlo_nome_real64
+
+module kyvadlo_nome_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "nome.inc"
+end module kyvadlo_nome_real128
+
+module kyvadlo_nome
+   use kyvadlo_nome_real32, only: elliptic_nome, elliptic_nomec
+   use kyvadlo_nome_real64, only: elliptic_nome, elliptic_nomec
+   use kyvadlo_nome_real128, only: elliptic_nome, elliptic_nomec
+   implicit none
+   private
+   public :: elliptic_nome, elliptic_nomec
+end module kyvadlo_nome
