@@ -1,0 +1,523 @@
+!> Fortran namelist text as a list of groups, each with its names, values as text, and line numbers.
+!>
+!> Native namelist reading knows neither the line of an error nor the name it did not understand, and drops what it does
+!> not know between groups. Here every byte is accounted for. Read as in Fortran: `&name ... /` (or `&end`),
+!> `name = value`, several values separated by commas, blanks or line ends, `r*value`, `name(i) = value`, texts in ' or
+!> ", comments from ! to the end of the line, upper and lower case alike. Not accepted: empty values, text outside
+!> groups, complex numbers.
+module kyvadlo_namelist_file
+   use kyvadlo_status, only: code_file, code_input, error_type, fail
+   use kyvadlo_text, only: integer_text, lower_case, shown, text_type
+   implicit none
+   private
+   public :: value_type, entry_type, group_type, read_groups, parse_groups, place_of
+
+   type :: value_type
+      character(len=:), allocatable :: text
+      logical :: quoted = .false.          !! Given as 'text'
+      integer :: line = 0
+   end type value_type
+
+   type :: entry_type
+      character(len=:), allocatable :: name  !! Lower case
+      integer :: subscript = 0               !! i of name(i); 0: none
+      integer :: line = 0
+      type(value_type), allocatable :: values(:)
+   end type entry_type
+
+   type :: group_type
+      character(len=:), allocatable :: file  !! For messages
+      character(len=:), allocatable :: name  !! Lower case
+      integer :: line = 0
+      type(entry_type), allocatable :: entries(:)
+   end type group_type
+
+   !> Where the parser stands.
+   type :: cursor_type
+      character(len=:), allocatable :: file
+      integer :: at = 1
+      integer :: line = 1
+   end type cursor_type
+
+   character(len=*), parameter :: line_feed = achar(10), carriage_return = achar(13), tabulator = achar(9)
+   character(len=*), parameter :: name_characters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_'
+
+contains
+
+   !> `file:line: ` for messages.
+   pure function place_of(file, line) result(text)
+      character(len=*), intent(in) :: file
+      integer, intent(in) :: line
+      character(len=:), allocatable :: text
+
+      text = file//':'//integer_text(line)//': '
+   end function place_of
+
+   !> Reads the groups of a file. Errors: a file that cannot be read, is empty or binary; the syntax errors of
+   !> `parse_groups`.
+   subroutine read_groups(path, groups, error)
+      character(len=*), intent(in) :: path                           !! `-`: standard input
+      type(group_type), allocatable, intent(out) :: groups(:)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: text
+
+      allocate (groups(0))
+      call read_file(path, text, error)
+      if (allocated(error)) return
+      call parse_groups(text, file_name(path), groups, error)
+   end subroutine read_groups
+
+   pure function file_name(path) result(name)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: name
+
+      name = path
+      if (path == '-') name = 'standard input'
+   end function file_name
+
+   !> All bytes of a file.
+   subroutine read_file(path, text, error)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable, intent(out) :: text
+      type(error_type), allocatable, intent(out) :: error
+      integer, parameter :: largest = 2**26
+      character(len=256) :: reason
+      character(len=:), allocatable :: larger
+      character(len=1) :: byte
+      integer :: unit, status, length
+
+      reason = ''
+      if (path == '-') then
+         open (newunit=unit, file='/dev/stdin', access='stream', form='unformatted', action='read', status='old', &
+            iostat=status, iomsg=reason)
+      else
+         open (newunit=unit, file=path, access='stream', form='unformatted', action='read', status='old', &
+            iostat=status, iomsg=reason)
+      end if
+      if (status /= 0) then
+         text = ''
+         call fail(error, code_file, 'cannot read '//file_name(path)//': '//system_reason(reason))
+         return
+      end if
+      length = 0
+      allocate (character(len=4096) :: text)
+      do
+         read (unit, iostat=status, iomsg=reason) byte
+         if (is_iostat_end(status)) exit
+         if (status /= 0) then
+            call fail(error, code_file, 'cannot read '//file_name(path)//': '//system_reason(reason))
+            exit
+         end if
+         if (length == len(text)) then
+            if (length >= largest) then
+               call fail(error, code_file, file_name(path)//': larger than 64 MiB; a scene is a short text')
+               exit
+            end if
+            allocate (character(len=2*length) :: larger)
+            larger(:length) = text
+            call move_alloc(larger, text)
+         end if
+         length = length + 1
+         text(length:length) = byte
+      end do
+      close (unit)
+      if (allocated(error)) return
+      text = text(:length)
+      if (length == 0) call fail(error, code_input, file_name(path)//': the file is empty')
+   end subroutine read_file
+
+   !> The system's words out of gfortran's `Cannot open file 'x': No such file or directory`.
+   pure function system_reason(message) result(reason)
+      character(len=*), intent(in) :: message
+      character(len=:), allocatable :: reason
+
+      reason = trim(message(index(message, ''': ') + 1:))
+      if (index(message, ''': ') > 0) reason = reason(3:)
+   end function system_reason
+
+   !> The groups of a text, in order.
+   pure subroutine parse_groups(text, file, groups, error)
+      character(len=*), intent(in) :: text
+      character(len=*), intent(in) :: file                           !! Name for messages
+      type(group_type), allocatable, intent(out) :: groups(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(cursor_type) :: cursor
+      type(group_type), allocatable :: more(:)
+      integer :: i, count
+
+      count = 0
+      allocate (groups(4))
+      cursor%file = file
+      if (len(text) >= 3) then
+         ! UTF-8 byte order mark
+         if (all([ichar(text(1:1)), ichar(text(2:2)), ichar(text(3:3))] == [239, 187, 191])) cursor%at = 4
+      end if
+      do i = cursor%at, len(text)
+         if (iachar(text(i:i)) < 32 .and. scan(text(i:i), line_feed//carriage_return//tabulator//achar(12)) == 0) then
+            call fail(error, code_input, place_of(file, line_of(text, i))//'not a text file (byte ' &
+               //integer_text(iachar(text(i:i)))//')')
+            return
+         end if
+      end do
+      do
+         call skip_blanks(text, cursor)
+         if (cursor%at > len(text)) exit
+         if (text(cursor%at:cursor%at) /= '&') then
+            call fail(error, code_input, here(cursor)//'only groups (&name ... /) and comments (! ...) are expected, ' &
+               //'got '//quoted(rest_of_line(text, cursor%at)))
+            return
+         end if
+         if (count == size(groups)) then
+            allocate (more(2*count))
+            more(:count) = groups
+            call move_alloc(more, groups)
+         end if
+         count = count + 1
+         call parse_group(text, cursor, groups(count), error)
+         if (allocated(error)) return
+      end do
+      groups = groups(:count)
+   end subroutine parse_groups
+
+   !> From `&name` to its `/`.
+   pure subroutine parse_group(text, cursor, group, error)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      type(group_type), intent(out) :: group
+      type(error_type), allocatable, intent(out) :: error
+      type(entry_type) :: entry
+      integer :: last
+
+      group%file = cursor%file
+      group%line = cursor%line
+      allocate (group%entries(0))
+      last = end_of_name(text, cursor%at + 1)
+      group%name = lower_case(text(cursor%at + 1:last))
+      if (group%name == '') then
+         call fail(error, code_input, here(cursor)//'& must be followed by the name of a group, got ' &
+            //quoted(rest_of_line(text, cursor%at)))
+         return
+      end if
+      cursor%at = last + 1
+      do
+         call skip_blanks(text, cursor)
+         if (cursor%at <= len(text)) then
+            if (text(cursor%at:cursor%at) == '/') then
+               cursor%at = cursor%at + 1
+               return
+            end if
+            if (text(cursor%at:cursor%at) == ',') then
+               cursor%at = cursor%at + 1
+               cycle
+            end if
+            if (text(cursor%at:cursor%at) == '&') then
+               last = end_of_name(text, cursor%at + 1)
+               if (lower_case(text(cursor%at + 1:last)) == 'end') then
+                  cursor%at = last + 1
+                  return
+               end if
+            end if
+         end if
+         if (cursor%at > len(text)) then
+            call fail(error, code_input, place_of(group%file, group%line)//'group &'//shown(group%name) &
+               //' has no end (/)')
+            return
+         else if (text(cursor%at:cursor%at) == '&') then
+            call fail(error, code_input, here(cursor)//quoted(text(cursor%at:last))//' begins before group &' &
+               //shown(group%name)//' of line '//integer_text(group%line)//' has its end (/)')
+            return
+         end if
+         call parse_entry(text, cursor, entry, error)
+         if (allocated(error)) return
+         call refuse_double(group, entry, error)
+         if (allocated(error)) return
+         call append_entry(group%entries, entry)
+      end do
+   end subroutine parse_group
+
+   pure subroutine append_entry(entries, entry)
+      type(entry_type), allocatable, intent(inout) :: entries(:)
+      type(entry_type), intent(in) :: entry
+      type(entry_type), allocatable :: more(:)
+
+      allocate (more(size(entries) + 1))
+      more(:size(entries)) = entries
+      more(size(more)) = entry
+      call move_alloc(more, entries)
+   end subroutine append_entry
+
+   pure subroutine append_value(values, value)
+      type(value_type), allocatable, intent(inout) :: values(:)
+      type(value_type), intent(in) :: value
+      type(value_type), allocatable :: more(:)
+
+      allocate (more(size(values) + 1))
+      more(:size(values)) = values
+      more(size(more)) = value
+      call move_alloc(more, values)
+   end subroutine append_value
+
+   !> A name may be given once, as a whole or element by element.
+   pure subroutine refuse_double(group, entry, error)
+      type(group_type), intent(in) :: group
+      type(entry_type), intent(in) :: entry
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(group%entries)
+         if (group%entries(i)%name /= entry%name) cycle
+         if (group%entries(i)%subscript /= entry%subscript .and. group%entries(i)%subscript > 0 &
+            .and. entry%subscript > 0) cycle
+         call fail(error, code_input, place_of(group%file, entry%line)//'&'//group%name//': '//shown(entry%name) &
+            //' given twice, first on line '//integer_text(group%entries(i)%line))
+         return
+      end do
+   end subroutine refuse_double
+
+   !> `name = value, value ...` or `name(i) = value`
+   pure subroutine parse_entry(text, cursor, entry, error)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      type(entry_type), intent(out) :: entry
+      type(error_type), allocatable, intent(out) :: error
+      integer :: next, line
+
+      entry%line = cursor%line
+      allocate (entry%values(0))
+      call match_name(text, cursor%at, cursor%line, entry%name, entry%subscript, next, line)
+      if (next == 0) then
+         call fail(error, code_input, here(cursor)//'expected `name = value`, got ' &
+            //quoted(rest_of_line(text, cursor%at)))
+         return
+      end if
+      cursor%at = next
+      cursor%line = line
+      call parse_values(text, cursor, entry, error)
+   end subroutine parse_entry
+
+   !> Does `name =` or `name(i) =` stand at `at`? Then `next` is the place behind the equals sign, else 0.
+   pure subroutine match_name(text, at, at_line, name, subscript, next, line)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: at, at_line
+      character(len=:), allocatable, intent(out) :: name
+      integer, intent(out) :: subscript, next, line
+      type(cursor_type) :: cursor
+      integer :: last, status, close
+
+      next = 0
+      line = at_line
+      subscript = 0
+      last = end_of_name(text, at)
+      name = lower_case(text(at:last))
+      if (last < at) return
+      if (text(at:at) >= '0' .and. text(at:at) <= '9') return
+      cursor%at = last + 1
+      cursor%line = at_line
+      call skip_blanks(text, cursor)
+      if (cursor%at > len(text)) return
+      if (text(cursor%at:cursor%at) == '(') then
+         close = index(text(cursor%at:), ')') + cursor%at - 1
+         if (close < cursor%at .or. close - cursor%at > 12) return
+         if (verify(text(cursor%at + 1:close - 1), '0123456789 ') /= 0) return
+         read (text(cursor%at + 1:close - 1), '(i12)', iostat=status) subscript
+         if (status /= 0 .or. subscript < 1) return
+         cursor%at = close + 1
+         call skip_blanks(text, cursor)
+         if (cursor%at > len(text)) return
+      end if
+      if (text(cursor%at:cursor%at) /= '=') return
+      next = cursor%at + 1
+      line = cursor%line
+   end subroutine match_name
+
+   !> The values up to the next name or the end of the group.
+   pure subroutine parse_values(text, cursor, entry, error)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      type(entry_type), intent(inout) :: entry
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: name
+      integer, parameter :: most_values = 10000
+      integer :: next, line, subscript, star, repeat_count, i
+      logical :: after_comma
+      type(value_type) :: value
+
+      after_comma = .true.
+      do
+         call skip_blanks(text, cursor)
+         if (cursor%at > len(text)) exit
+         select case (text(cursor%at:cursor%at))
+         case ('/', '&')
+            exit
+         case (',')
+            if (after_comma) then
+               call fail(error, code_input, here(cursor)//shown(entry%name)//': a value is missing before the comma')
+               return
+            end if
+            after_comma = .true.
+            cursor%at = cursor%at + 1
+            cycle
+         case ('''', '"')
+            call parse_text(text, cursor, value, error)
+            if (allocated(error)) return
+            call append_value(entry%values, value)
+         case default
+            call match_name(text, cursor%at, cursor%line, name, subscript, next, line)
+            if (next > 0) exit
+            call parse_word(text, cursor, value)
+            if (value%text == '') then
+               call fail(error, code_input, here(cursor)//shown(entry%name)//': unexpected ' &
+                  //quoted(rest_of_line(text, cursor%at)))
+               return
+            end if
+            star = index(value%text, '*')
+            repeat_count = 1
+            if (star > 1 .and. star <= 6) then
+               if (verify(value%text(:star - 1), '0123456789') == 0) then
+                  read (value%text(:star - 1), '(i5)') repeat_count
+                  value%text = value%text(star + 1:)
+                  if (value%text == '' .or. repeat_count == 0) then
+                     call fail(error, code_input, here(cursor)//shown(entry%name) &
+                        //': a value and a count are needed in r*value')
+                     return
+                  end if
+               end if
+            end if
+            if (size(entry%values) + repeat_count > most_values) then
+               call fail(error, code_input, here(cursor)//shown(entry%name)//': more than ' &
+                  //integer_text(most_values)//' values')
+               return
+            end if
+            do i = 1, repeat_count
+               call append_value(entry%values, value)
+            end do
+         end select
+         after_comma = .false.
+      end do
+      if (size(entry%values) == 0) &
+         call fail(error, code_input, place_of(cursor%file, entry%line)//shown(entry%name)//': no value behind =')
+   end subroutine parse_values
+
+   !> 'text' or "text"; a quotation mark inside is doubled. It ends on its line.
+   pure subroutine parse_text(text, cursor, value, error)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      type(value_type), intent(out) :: value
+      type(error_type), allocatable, intent(out) :: error
+      character(len=1) :: mark
+      integer :: i, first, run
+
+      mark = text(cursor%at:cursor%at)
+      value%text = ''
+      value%quoted = .true.
+      value%line = cursor%line
+      i = cursor%at + 1
+      first = i
+      do
+         run = scan(text(i:), mark//line_feed//carriage_return)
+         if (run == 0) exit
+         i = i + run - 1
+         if (text(i:i) /= mark) exit
+         value%text = value%text//text(first:i - 1)
+         if (i < len(text)) then
+            if (text(i + 1:i + 1) == mark) then
+               value%text = value%text//mark
+               i = i + 2
+               first = i
+               cycle
+            end if
+         end if
+         cursor%at = i + 1
+         return
+      end do
+      call fail(error, code_input, here(cursor)//'the text '//shown(rest_of_line(text, cursor%at)) &
+         //' has no closing '//mark//' on its line')
+   end subroutine parse_text
+
+   !> Anything else: up to a blank, comma, slash, comment or sign that cannot be part of a value.
+   pure subroutine parse_word(text, cursor, value)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      type(value_type), intent(out) :: value
+      integer :: length
+
+      length = scan(text(cursor%at:), ' ,/!&=''"()'//tabulator//line_feed//carriage_return//achar(12)) - 1
+      if (length < 0) length = len(text) - cursor%at + 1
+      value%text = text(cursor%at:cursor%at + length - 1)
+      value%line = cursor%line
+      cursor%at = cursor%at + length
+   end subroutine parse_word
+
+   !> Over blanks, line ends and comments.
+   pure subroutine skip_blanks(text, cursor)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      integer :: length
+
+      do while (cursor%at <= len(text))
+         select case (text(cursor%at:cursor%at))
+         case (' ', tabulator, carriage_return, achar(12))
+            continue
+         case (line_feed)
+            cursor%line = cursor%line + 1
+         case ('!')
+            length = index(text(cursor%at:), line_feed) - 1
+            if (length < 0) length = len(text) - cursor%at + 1
+            cursor%at = cursor%at + length
+            cycle
+         case default
+            return
+         end select
+         cursor%at = cursor%at + 1
+      end do
+   end subroutine skip_blanks
+
+   !> Last place of the name that begins at `first`; `first - 1` if there is none.
+   pure integer function end_of_name(text, first) result(last)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: first
+
+      last = first - 1
+      do while (last < len(text))
+         if (scan(text(last + 1:last + 1), name_characters) == 0) exit
+         last = last + 1
+      end do
+   end function end_of_name
+
+   pure function rest_of_line(text, at) result(rest)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: at
+      character(len=:), allocatable :: rest
+      integer :: length
+
+      length = scan(text(at:), line_feed//carriage_return) - 1
+      if (length < 0) length = len(text) - at + 1
+      rest = trim(text(at:at + length - 1))
+   end function rest_of_line
+
+   pure integer function line_of(text, at) result(line)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: at
+      integer :: i
+
+      line = 1
+      do i = 1, at - 1
+         if (text(i:i) == line_feed) line = line + 1
+      end do
+   end function line_of
+
+   pure function here(cursor) result(text)
+      type(cursor_type), intent(in) :: cursor
+      character(len=:), allocatable :: text
+
+      text = place_of(cursor%file, cursor%line)
+   end function here
+
+   pure function quoted(text)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+
+      quoted = "'"//shown(text)//"'"
+   end function quoted
+
+end module kyvadlo_namelist_file

@@ -1,0 +1,24 @@
+!> Numbers to text and back, in the three kinds: strict reading, the shortest form that reads back exactly, and a form
+!> of given significant digits for tables.
+module kyvadlo_number_text_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+#include "number_text.inc"
+end module kyvadlo_number_text_real32
+
+module kyvadlo_number_text_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+#include "number_text.inc"
+end module kyvadlo_number_text_real64
+
+module kyvadlo_number_text_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+#include "number_text.inc"
+end module kyvadlo_number_text_real128
+
+module kyvadlo_number_text
+   use kyvadlo_number_text_real32
+   use kyvadlo_number_text_real64
+   use kyvadlo_number_text_real128
+   implicit none
+   public
+end module kyvadlo_number_text

@@ -1,0 +1,28 @@
+!> Pendulums as a scene describes them, in three kinds: plain data.
+#define pendulum_type pendulum_type_real32
+module kyvadlo_scene_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+#include "scene.inc"
+end module kyvadlo_scene_real32
+#undef pendulum_type
+
+module kyvadlo_scene_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+#include "scene.inc"
+end module kyvadlo_scene_real64
+
+#define pendulum_type pendulum_type_real128
+module kyvadlo_scene_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+#include "scene.inc"
+end module kyvadlo_scene_real128
+#undef pendulum_type
+
+module kyvadlo_scene
+   use kyvadlo_scene_real32
+   use kyvadlo_scene_real64
+   use kyvadlo_scene_real128
+   use kyvadlo_scene_names
+   implicit none
+   public
+end module kyvadlo_scene

@@ -1,0 +1,116 @@
+!> Small text operations that the scene reader and the program share.
+module kyvadlo_text
+   implicit none
+   private
+   public :: text_type, text_sink_type, integer_text, join, lower_case, shown, split_words
+
+   !> A text of any length, so that arrays of texts may have elements of different length.
+   type :: text_type
+      character(len=:), allocatable :: text
+   end type text_type
+
+   !> Something that takes lines of text in order: a file, standard output.
+   type, abstract :: text_sink_type
+   contains
+      procedure(put_line), deferred :: put !! Takes one line, without its end
+   end type text_sink_type
+
+   abstract interface
+      subroutine put_line(sink, line)
+         import :: text_sink_type
+         class(text_sink_type), intent(inout) :: sink
+         character(len=*), intent(in) :: line
+      end subroutine put_line
+   end interface
+
+   character(len=*), parameter :: tabulator = achar(9), carriage_return = achar(13)
+
+contains
+
+   !> An integer without blanks.
+   pure function integer_text(value) result(text)
+      integer, intent(in) :: value
+      character(len=:), allocatable :: text
+      character(len=12) :: buffer
+
+      write (buffer, '(i0)') value
+      text = trim(buffer)
+   end function integer_text
+
+   !> ASCII letters in lower case; every other byte unchanged.
+   pure function lower_case(text) result(lower)
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: lower
+      integer :: i
+
+      do i = 1, len(text)
+         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') then
+            lower(i:i) = achar(iachar(text(i:i)) + 32)
+         else
+            lower(i:i) = text(i:i)
+         end if
+      end do
+   end function lower_case
+
+   !> Words separated by a separator.
+   pure function join(words, separator) result(text)
+      type(text_type), intent(in) :: words(:)
+      character(len=*), intent(in) :: separator
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(words)
+         if (i > 1) text = text//separator
+         text = text//words(i)%text
+      end do
+   end function join
+
+   !> A text made fit for a one-line message: cut after 60 bytes, control characters as `?`.
+   pure function shown(text)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: shown
+      integer, parameter :: longest = 60
+      integer :: i, last
+
+      last = len(text)
+      if (last > longest) then
+         last = longest
+         ! A UTF-8 character is not cut in two: its following bytes are 10xxxxxx.
+         do while (last > 1 .and. iand(iachar(text(last + 1:last + 1)), 192) == 128)
+            last = last - 1
+         end do
+      end if
+      shown = text(:last)
+      do i = 1, last
+         if (iachar(shown(i:i)) < 32 .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
+      end do
+      if (last < len(text)) shown = shown//'...'
+   end function shown
+
+   !> First and last positions of the words of a line. Blanks, tabulators and carriage returns separate words.
+   pure subroutine split_words(line, first, last, count)
+      character(len=*), intent(in) :: line
+      integer, allocatable, intent(out) :: first(:), last(:) !! Positions of the first and last byte of each word
+      integer, intent(out) :: count                          !! Number of words
+      integer :: i
+      logical :: inside
+
+      allocate (first((len(line) + 1)/2 + 1), last((len(line) + 1)/2 + 1))
+      count = 0
+      inside = .false.
+      do i = 1, len(line)
+         if (line(i:i) == ' ' .or. line(i:i) == tabulator .or. line(i:i) == carriage_return) then
+            inside = .false.
+         else
+            if (.not. inside) then
+               count = count + 1
+               first(count) = i
+            end if
+            last(count) = i
+            inside = .true.
+         end if
+      end do
+   end subroutine split_words
+
+end module kyvadlo_text
