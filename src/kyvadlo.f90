@@ -2,6 +2,8 @@
 module kyvadlo
    use kyvadlo_kinds
    use kyvadlo_status
+   use kyvadlo_complete
+   use kyvadlo_nome
    implicit none
    public
 end module kyvadlo
