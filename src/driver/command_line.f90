@@ -1,0 +1,284 @@
+!> The words of the command line, checked against `kyvadlo_commands`, and the help pages made from it.
+module kyvadlo_command_line
+   use kyvadlo_commands, only: commands, examples, explanations, options
+   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_text, only: join, shown, text_sink_type, text_type
+   implicit none
+   private
+   public :: arguments_type, read_command_line, write_help, write_usage, option_given, option_value, integer_option
+
+   type :: arguments_type
+      character(len=:), allocatable :: command          !! Empty: none given
+      type(text_type), allocatable :: operands(:)       !! What is not an option
+      type(text_type), allocatable :: names(:), values(:) !! Options given, with their values
+   end type arguments_type
+
+contains
+
+   !> Reads the program's own arguments.
+   subroutine read_command_line(arguments, error)
+      type(arguments_type), intent(out) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: words(:)
+      integer :: i, length
+
+      allocate (words(command_argument_count()))
+      do i = 1, size(words)
+         call get_command_argument(i, length=length)
+         allocate (character(len=length) :: words(i)%text)
+         call get_command_argument(i, words(i)%text)
+      end do
+      call sort_words(words, arguments, error)
+   end subroutine read_command_line
+
+   !> Tells command, options and operands apart. A word that begins with `-` and a digit or point is a number; behind
+   !> `--` everything is an operand.
+   subroutine sort_words(words, arguments, error)
+      type(text_type), intent(in) :: words(:)
+      type(arguments_type), intent(out) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: name
+      integer :: i, j, equals
+      logical :: only_operands
+
+      arguments%command = ''
+      allocate (arguments%operands(0), arguments%names(0), arguments%values(0))
+      only_operands = .false.
+      i = 0
+      do while (i < size(words))
+         i = i + 1
+         associate (word => words(i)%text)
+            if (only_operands .or. .not. looks_like_option(word)) then
+               if (arguments%command == '' .and. .not. only_operands) then
+                  if (.not. any(commands%name == word) .or. word == '') then
+                     call fail(error, code_input, 'unknown command '//quoted(word)//'; the commands are ' &
+                        //command_names())
+                     return
+                  end if
+                  arguments%command = word
+               else
+                  arguments%operands = [arguments%operands, words(i)]
+               end if
+               cycle
+            else if (word == '--') then
+               only_operands = .true.
+               cycle
+            end if
+            name = word
+            if (name == '-h') name = '--help'
+            equals = index(name, '=')
+            if (equals > 0) name = name(:equals - 1)
+            if (arguments%command == '' .and. name == '--version') then
+               j = 0
+            else
+               j = option_index(arguments%command, name)
+               if (j == 0) then
+                  call fail(error, code_input, 'unknown option '//quoted(name)//see_help(arguments%command))
+                  return
+               end if
+            end if
+            if (option_given(arguments, name)) then
+               call fail(error, code_input, 'option '//name//' given twice')
+               return
+            end if
+            arguments%names = [arguments%names, text_type(name)]
+            if (takes_no_value(j)) then
+               if (equals > 0) then
+                  call fail(error, code_input, 'option '//name//' takes no value')
+                  return
+               end if
+               arguments%values = [arguments%values, text_type('')]
+            else if (equals > 0) then
+               arguments%values = [arguments%values, text_type(word(equals + 1:))]
+            else if (i < size(words)) then
+               i = i + 1
+               arguments%values = [arguments%values, words(i)]
+            else
+               call fail(error, code_input, 'option '//name//' needs a value: '//trim(options(j)%value))
+               return
+            end if
+            if (j > 0) then
+               call check_word(name, arguments%values(size(arguments%values))%text, trim(options(j)%value), error)
+               if (allocated(error)) return
+            end if
+         end associate
+      end do
+   end subroutine sort_words
+
+   logical function takes_no_value(option)
+      integer, intent(in) :: option  !! Place in `options`, or 0: `--version`
+
+      takes_no_value = .true.
+      if (option > 0) takes_no_value = options(option)%value == ''
+   end function takes_no_value
+
+   logical function looks_like_option(word)
+      character(len=*), intent(in) :: word
+
+      looks_like_option = .false.
+      if (len(word) < 2) return
+      looks_like_option = word(1:1) == '-' .and. verify(word(2:2), '0123456789.') > 0
+   end function looks_like_option
+
+   !> One of the words of `a|b|c`, where the option asks for that.
+   subroutine check_word(name, word, choice, error)
+      character(len=*), intent(in) :: name, word, choice
+      type(error_type), allocatable, intent(out) :: error
+
+      if (index(choice, '|') == 0) return
+      if (index('|'//choice//'|', '|'//word//'|') > 0 .and. word /= '' .and. index(word, '|') == 0) return
+      call fail(error, code_input, 'option '//name//' must be one of '//choice//', got '//quoted(word))
+   end subroutine check_word
+
+   !> Place in `options`, or 0.
+   pure integer function option_index(command, name)
+      character(len=*), intent(in) :: command, name
+      integer :: i
+
+      option_index = 0
+      do i = 1, size(options)
+         if (options(i)%command /= command .and. options(i)%command /= '') cycle
+         if (options(i)%name == name) option_index = i
+      end do
+   end function option_index
+
+   !> Was this option given?
+   pure logical function option_given(arguments, name)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: name
+      integer :: i
+
+      option_given = .false.
+      do i = 1, size(arguments%names)
+         if (arguments%names(i)%text == name) option_given = .true.
+      end do
+   end function option_given
+
+   !> Value of an option, or the default.
+   pure function option_value(arguments, name, default) result(value)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: name, default
+      character(len=:), allocatable :: value
+      integer :: i
+
+      value = default
+      do i = 1, size(arguments%values)
+         if (arguments%names(i)%text == name) value = arguments%values(i)%text
+      end do
+   end function option_value
+
+   !> Value of an option that counts something.
+   subroutine integer_option(arguments, name, smallest, largest, value, error)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: smallest, largest
+      integer, intent(inout) :: value               !! On entry the default
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: text
+      character(len=32) :: range
+      integer :: status
+
+      if (.not. option_given(arguments, name)) return
+      text = option_value(arguments, name, '')
+      status = 1
+      if (len(text) > 0 .and. len(text) <= 9 .and. verify(text, '0123456789') == 0) &
+         read (text, '(i9)', iostat=status) value
+      if (status == 0 .and. value >= smallest .and. value <= largest) return
+      write (range, '(i0," to ",i0)') smallest, largest
+      call fail(error, code_input, 'option '//name//' must be a whole number, '//trim(range)//', got '//quoted(text))
+   end subroutine integer_option
+
+   !> The page of `kyvadlo COMMAND --help`, or of the program if there is no command.
+   subroutine write_help(sink, command)
+      class(text_sink_type), intent(inout) :: sink
+      character(len=*), intent(in) :: command
+      integer :: i
+
+      if (command == '') then
+         call write_usage(sink)
+         call sink%put('')
+         call sink%put('The exact motion of the spherical pendulum, and the elliptic functions it needs.')
+         call sink%put('')
+         call sink%put('Commands:')
+         do i = 1, size(commands)
+            call sink%put('  '//commands(i)%name//'  '//trim(commands(i)%summary))
+         end do
+         call sink%put('')
+         call sink%put('Options:')
+         call sink%put('  --help     print this help; kyvadlo COMMAND --help prints that of a command')
+         call sink%put('  --version  print version, compiler and licence')
+      else
+         do i = 1, size(commands)
+            if (commands(i)%name == command) &
+               call sink%put('Usage: kyvadlo '//trim(command)//' [OPTION]... '//trim(commands(i)%operands))
+         end do
+         call sink%put('')
+         do i = 1, size(commands)
+            if (commands(i)%name == command) call sink%put('Prints '//trim(commands(i)%summary)//'.')
+         end do
+         do i = 1, size(explanations)
+            if (explanations(i)%command == command) call sink%put(trim(explanations(i)%line))
+         end do
+         call sink%put('')
+         call sink%put('Options:')
+         do i = 1, size(options)
+            if (options(i)%command == command .or. options(i)%command == '') &
+               call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), 29) &
+               //trim(options(i)%meaning))
+         end do
+      end if
+      call sink%put('')
+      call sink%put('Examples:')
+      do i = 1, size(examples)
+         if (command == '' .or. examples(i)%command == command) then
+            call sink%put('  '//trim(examples(i)%line))
+            call sink%put('      '//trim(examples(i)%meaning))
+         end if
+      end do
+      call sink%put('')
+      call sink%put('Exit status: 0; 1 if a request of eval failed; 2 with one message on standard error for wrong')
+      call sink%put('usage, wrong input or a file that cannot be read or written.')
+   end subroutine write_help
+
+   !> The usage line of the program.
+   subroutine write_usage(sink)
+      class(text_sink_type), intent(inout) :: sink
+
+      call sink%put('Usage: kyvadlo COMMAND [OPTION]... [OPERAND]...')
+   end subroutine write_usage
+
+   pure function padded(text, width) result(wide)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: width
+      character(len=max(width, len(text) + 1)) :: wide
+
+      wide = text
+   end function padded
+
+   pure function quoted(word)
+      character(len=*), intent(in) :: word
+      character(len=:), allocatable :: quoted
+
+      quoted = "'"//shown(word)//"'"
+   end function quoted
+
+   pure function see_help(command) result(text)
+      character(len=*), intent(in) :: command
+      character(len=:), allocatable :: text
+
+      text = '; see kyvadlo --help'
+      if (command /= '') text = '; see kyvadlo '//command//' --help'
+   end function see_help
+
+   pure function command_names() result(names)
+      character(len=:), allocatable :: names
+      type(text_type) :: list(size(commands))
+      integer :: i
+
+      do i = 1, size(commands)
+         list(i)%text = trim(commands(i)%name)
+      end do
+      names = join(list, ', ')
+   end function command_names
+
+end module kyvadlo_command_line

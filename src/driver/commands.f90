@@ -1,0 +1,77 @@
+!> The commands of the program, their options and examples: the one source of the help pages, and of what
+!> `kyvadlo_command_line` accepts.
+module kyvadlo_commands
+   implicit none
+   private
+   public :: command_type, option_type, example_type, commands, options, examples, explanations, explanation_type
+
+   type :: command_type
+      character(len=8) :: name
+      character(len=24) :: operands    !! What follows the name, for the usage line; blank: nothing
+      character(len=72) :: summary     !! One line
+   end type command_type
+
+   type :: option_type
+      character(len=8) :: command      !! Blank: every command
+      character(len=12) :: name        !! With its dashes
+      character(len=24) :: value       !! Name of its value; blank: a switch. `a|b|c`: one of these words
+      character(len=88) :: meaning
+   end type option_type
+
+   type :: example_type
+      character(len=8) :: command
+      character(len=80) :: line
+      character(len=72) :: meaning
+   end type example_type
+
+   type :: explanation_type
+      character(len=8) :: command
+      character(len=100) :: line
+   end type explanation_type
+
+   type(command_type), parameter :: commands(*) = [ &
+      command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
+      command_type('eval', '[NAME ARGUMENT...]', 'a calculator for the elliptic functions and the orbit')]
+
+   type(option_type), parameter :: options(*) = [ &
+      option_type('table', '--divisions', 'N', 'every quantity at the N+1 times that divide the period'), &
+      option_type('table', '--data', '', 'only the constants of the motion, one line for each pendulum in csv'), &
+      option_type('table', '--digits', 'N', &
+         'significant digits; without it 6, 15 or 33 by kind, in csv all that count'), &
+      option_type('table', '--format', 'text|csv|markdown', 'layout of the output (default text)'), &
+      option_type('table', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
+      option_type('table', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
+      option_type('table', '--upper', 'A:B:N', 'a grid instead of scenes: N upper turning heights from A to B'), &
+      option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
+      option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &
+      option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
+      option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
+      option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
+      option_type('', '--help', '', 'print this help')]
+
+   type(example_type), parameter :: examples(*) = [ &
+      example_type('table', 'kyvadlo table', 'five built-in pendulums'), &
+      example_type('table', 'kyvadlo table laboratory.nml', 'the pendulums of a scene file'), &
+      example_type('table', 'kyvadlo table laboratory.nml --divisions 360 --format csv', &
+         'one period for another program'), &
+      example_type('table', 'kyvadlo table laboratory.nml --kind quad', 'with 33 digits'), &
+      example_type('table', 'kyvadlo table --upper -0.9:0.9:19 --lower -1:0:11', &
+         'T, k, phi(T), lambda T over a grid'), &
+      example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
+      example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
+      example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line')]
+
+   type(explanation_type), parameter :: explanations(*) = [ &
+      explanation_type('table', &
+         'SCENE is a file of &pendulum groups (doc/scene_format.md); - is standard input. Without'), &
+      explanation_type('table', &
+         'SCENE: Foucault''s pendulum, a wide swing, a conical and a plane one, one near the upright.'), &
+      explanation_type('table', &
+         'Lengths are in metres, z upward from the centre; t = 0 at the upper turning height.'), &
+      explanation_type('eval', &
+         'Answers are separated by a blank, in the shortest form that reads back exactly. Without'), &
+      explanation_type('eval', &
+         'NAME, requests are read from standard input, one a line, and each is answered by one'), &
+      explanation_type('eval', 'line: the results, or `error: MESSAGE`. Exit status 1 if any request failed.')]
+
+end module kyvadlo_commands

@@ -1,0 +1,27 @@
+!> What `kyvadlo eval` computes, in three kinds.
+#define orbit_type orbit_type_real32
+module kyvadlo_eval_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+#include "eval.inc"
+end module kyvadlo_eval_real32
+#undef orbit_type
+
+module kyvadlo_eval_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+#include "eval.inc"
+end module kyvadlo_eval_real64
+
+#define orbit_type orbit_type_real128
+module kyvadlo_eval_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+#include "eval.inc"
+end module kyvadlo_eval_real128
+#undef orbit_type
+
+module kyvadlo_eval
+   use kyvadlo_eval_real32
+   use kyvadlo_eval_real64
+   use kyvadlo_eval_real128
+   implicit none
+   public
+end module kyvadlo_eval

@@ -1,0 +1,57 @@
+!> The requests that `kyvadlo eval` answers: names, arguments, results and domains, in words. What they compute stands
+!> in `eval.inc`.
+module kyvadlo_eval_requests
+   implicit none
+   private
+   public :: request_type, requests, request_index, argument_count, most_arguments
+
+   type :: request_type
+      character(len=16) :: name
+      character(len=28) :: arguments   !! Names, separated by one blank
+      character(len=48) :: results     !! Symbols, separated by one blank, or words
+      character(len=96) :: domain      !! The rule whose breach gives NaN
+   end type request_type
+
+   !> No request takes more arguments.
+   integer, parameter :: most_arguments = 9
+
+
+   type(request_type), parameter :: requests(*) = [ &
+      request_type('K', 'm', 'K', 'm <= 1'), &
+      request_type('E', 'm', 'E', 'm <= 1'), &
+      request_type('Kc', 'mc', 'K', 'mc >= 0'), &
+      request_type('Ec', 'mc', 'E', 'mc >= 0'), &
+      request_type('D', 'm', 'D', 'm <= 1'), &
+      request_type('Dc', 'mc', 'D', 'mc >= 0'), &
+      request_type('nome', 'm', 'q', '0 <= m <= 1'), &
+      request_type('nomec', 'mc', 'q', '0 <= mc <= 1')]
+
+contains
+
+   !> Place of a name in `requests`, or 0. Upper and lower case differ.
+   pure integer function request_index(name) result(place)
+      character(len=*), intent(in) :: name
+      integer :: i
+
+      place = 0
+      if (name == '') return
+      do i = 1, size(requests)
+         if (requests(i)%name == name) then
+            place = i
+            return
+         end if
+      end do
+   end function request_index
+
+   !> How many arguments a request takes.
+   pure integer function argument_count(place) result(count)
+      integer, intent(in) :: place  !! In `requests`
+      integer :: i
+
+      count = 1
+      do i = 2, len_trim(requests(place)%arguments)
+         if (requests(place)%arguments(i:i) == ' ') count = count + 1
+      end do
+   end function argument_count
+
+end module kyvadlo_eval_requests

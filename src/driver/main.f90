@@ -1,0 +1,61 @@
+!> The program `kyvadlo`: the only code that opens standard output, ends with a status and writes messages.
+program kyvadlo_main
+   use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
+   use kyvadlo_eval_command, only: eval_command
+   use kyvadlo_standard_io, only: close_output, message, open_output, output_type, set_signals
+   use kyvadlo_status, only: error_type
+   use kyvadlo_version, only: compiler, compiler_flags, licence, version
+   implicit none
+
+   integer :: exit_status
+
+   call run(exit_status)
+   if (exit_status /= 0) stop exit_status, quiet=.true.
+
+contains
+
+   !> Everything; procedures free what they allocate, the main program would not.
+   subroutine run(status)
+      integer, intent(out) :: status   !! 0, 1 if a request failed, 2 on wrong usage or input
+      type(arguments_type) :: arguments
+      type(error_type), allocatable :: error
+      type(output_type) :: output
+
+      status = 0
+      call set_signals()
+      call read_command_line(arguments, error)
+      if (.not. allocated(error)) then
+         if (option_given(arguments, '--help') .or. option_given(arguments, '--version')) then
+            call open_output(output, '', error)
+            if (option_given(arguments, '--help')) then
+               call write_help(output, arguments%command)
+            else
+               call write_version(output)
+            end if
+            call close_output(output, error)
+         else
+            select case (arguments%command)
+            case ('eval')
+               call eval_command(arguments, status, error)
+            case default
+               call message('kyvadlo: no command; kyvadlo --help lists them')
+               status = 2
+            end select
+         end if
+      end if
+      if (allocated(error)) then
+         call message('kyvadlo: '//error%message)
+         status = 2
+      end if
+   end subroutine run
+
+   subroutine write_version(output)
+      type(output_type), intent(inout) :: output
+
+      call output%put('kyvadlo '//version)
+      call output%put('Licence: '//licence)
+      call output%put('Compiler: '//compiler)
+      call output%put('Flags: '//compiler_flags)
+   end subroutine write_version
+
+end program kyvadlo_main
