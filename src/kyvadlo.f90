@@ -2,7 +2,9 @@
 module kyvadlo
    use kyvadlo_kinds
    use kyvadlo_status
+   use kyvadlo_carlson
    use kyvadlo_complete
+   use kyvadlo_jacobi
    use kyvadlo_nome
    implicit none
    public

@@ -17,6 +17,11 @@ module kyvadlo_eval_requests
 
 
    type(request_type), parameter :: requests(*) = [ &
+      request_type('rc', 'x y', 'R_C', 'x >= 0'), &
+      request_type('rf', 'x y z', 'R_F', 'x, y, z >= 0'), &
+      request_type('rd', 'x y z', 'R_D', 'x, y, z >= 0'), &
+      request_type('rj', 'x y z p', 'R_J', 'x, y, z >= 0'), &
+      request_type('rg', 'x y z', 'R_G', 'x, y, z >= 0'), &
       request_type('K', 'm', 'K', 'm <= 1'), &
       request_type('E', 'm', 'E', 'm <= 1'), &
       request_type('Kc', 'mc', 'K', 'mc >= 0'), &
@@ -24,7 +29,9 @@ module kyvadlo_eval_requests
       request_type('D', 'm', 'D', 'm <= 1'), &
       request_type('Dc', 'mc', 'D', 'mc >= 0'), &
       request_type('nome', 'm', 'q', '0 <= m <= 1'), &
-      request_type('nomec', 'mc', 'q', '0 <= mc <= 1')]
+      request_type('nomec', 'mc', 'q', '0 <= mc <= 1'), &
+      request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
+      request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite')]
 
 contains
 
