@@ -2,7 +2,7 @@
 module kyvadlo_command_line
    use kyvadlo_commands, only: commands, examples, explanations, options
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: join, shown, text_sink_type, text_type
+   use kyvadlo_text, only: append, join, shown, text_sink_type, text_type
    implicit none
    private
    public :: arguments_type, read_command_line, write_help, write_usage, option_given, option_value, integer_option
@@ -57,7 +57,7 @@ contains
                   end if
                   arguments%command = word
                else
-                  arguments%operands = [arguments%operands, words(i)]
+                  call append(arguments%operands, words(i)%text)
                end if
                cycle
             else if (word == '--') then
@@ -81,18 +81,18 @@ contains
                call fail(error, code_input, 'option '//name//' given twice')
                return
             end if
-            arguments%names = [arguments%names, text_type(name)]
+            call append(arguments%names, name)
             if (takes_no_value(j)) then
                if (equals > 0) then
                   call fail(error, code_input, 'option '//name//' takes no value')
                   return
                end if
-               arguments%values = [arguments%values, text_type('')]
+               call append(arguments%values, '')
             else if (equals > 0) then
-               arguments%values = [arguments%values, text_type(word(equals + 1:))]
+               call append(arguments%values, word(equals + 1:))
             else if (i < size(words)) then
                i = i + 1
-               arguments%values = [arguments%values, words(i)]
+               call append(arguments%values, words(i)%text)
             else
                call fail(error, code_input, 'option '//name//' needs a value: '//trim(options(j)%value))
                return

@@ -2,7 +2,7 @@
 module kyvadlo_text
    implicit none
    private
-   public :: text_type, text_sink_type, integer_text, join, lower_case, shown, split_words
+   public :: text_type, text_sink_type, append, integer_text, join, lower_case, shown, split_words
 
    !> A text of any length, so that arrays of texts may have elements of different length.
    type :: text_type
@@ -26,6 +26,21 @@ module kyvadlo_text
    character(len=*), parameter :: tabulator = achar(9), carriage_return = achar(13)
 
 contains
+
+   !> Adds one text at the end. (An array constructor with `text_type(...)` in it leaks memory in gfortran 12.)
+   pure subroutine append(texts, text)
+      type(text_type), allocatable, intent(inout) :: texts(:) !! Unallocated counts as empty
+      character(len=*), intent(in) :: text
+      type(text_type), allocatable :: longer(:)
+      integer :: n
+
+      n = 0
+      if (allocated(texts)) n = size(texts)
+      allocate (longer(n + 1))
+      if (n > 0) longer(:n) = texts
+      longer(n + 1)%text = text
+      call move_alloc(longer, texts)
+   end subroutine append
 
    !> An integer without blanks.
    pure function integer_text(value) result(text)
