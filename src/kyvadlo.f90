@@ -6,6 +6,8 @@ module kyvadlo
    use kyvadlo_complete
    use kyvadlo_jacobi
    use kyvadlo_nome
+   use kyvadlo_jacobi
+   use kyvadlo_jacobi_ratios
    implicit none
    public
 end module kyvadlo
