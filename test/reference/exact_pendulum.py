@@ -338,6 +338,15 @@ class Motion:
             return
         lmz, lpz = (l-z, r2/(l-z)) if z < 0 else (r2/(l+z), l+z)
         epsilon, j = v2/(2*g)-lmz, c2*c2/(2*g)
+        self.separatrix = j == 0 and abs(epsilon) <= mpf(10)**(-mp.mp.dps*2//3)*lmz
+        if self.separatrix:
+            if r2 == 0 and z < 0:
+                self.turn, self.t0, self.upwards = mpc(vx, vy)/mp.sqrt(v2), mpf(0), 1
+            else:
+                self.upwards = 1 if vz >= 0 else -1
+                self.turn = mpc(x, y)/mp.sqrt(r2)
+                self.t0 = mp.asinh(mp.sqrt(lpz/lmz))/mp.sqrt(g/l)
+            return
         if j == 0:
             e3, s = (epsilon, mpf(0)) if epsilon >= 0 else (mpf(0), -epsilon)
         else:
@@ -380,6 +389,13 @@ class Motion:
     def state(self, t):
         if self.rest:
             return self.start
+        if self.separatrix:
+            l, w = self.l, mp.sqrt(self.g/self.l)
+            argument = w*(self.t0+self.upwards*t)
+            th, se = mp.tanh(argument), 1/mp.cosh(argument)
+            p, v = 2*l*th*se*self.turn, self.upwards*2*l*w*se*(se*se-th*th)*self.turn
+            z = 2*l*th*th-l if abs(argument) < 1 else l-2*l*se*se
+            return [p.real, p.imag, z, v.real, v.imag, self.upwards*4*l*w*se*se*th]
         u = self.orbit.position(self.t0+t)
         p, v = mpc(u[0], u[1])*self.turn, mpc(u[3], u[4])*self.turn
         return [p.real, self.sign*p.imag, u[2], v.real, self.sign*v.imag, u[5]]

@@ -5,7 +5,7 @@ Needs mpmath and python-flint. The values come from exact_pendulum.py at the exa
 digits. Arguments read back exactly with 9, 17 or 36 digits. Conditions: for every argument the larger of the two changes of
 the result that half an ulp of it up or down makes (where one side determines no orbit, the other), summed over the
 arguments, in ulps of the result; an argument that is zero does not count. In azimuth_*, position_* and passage_* only
-the last argument (t, z, phi) counts. The condition of an exact zero is 0 except in turning_*, where it is in units of the
+the last argument (t, z, phi) counts. The condition of an exact zero is 0 in orbit_*, elsewhere in units of the
 smallest subnormal.
 """
 import random
@@ -356,7 +356,7 @@ def write_motion(what, kind_of_input):
                 if bits != 64:
                     choices = pick.sample(choices, 4)
                 for t in choices:
-                    lines.append(row(name, bits, function, arguments+[t], varied=[4]))
+                    lines.append(row(name, bits, function, arguments+[t], varied=[4], zero_condition=True))
     if what == 'azimuth':
         write('azimuth_'+kind_of_input, 'l g %s t -> phi; condition in t alone' % LABEL[kind_of_input], 5, 1, lines)
     else:
@@ -379,6 +379,128 @@ for _input in ('heights', 'gaps', 'rises'):
     WRITERS['azimuth_'+_input] = lambda i=_input: write_motion('azimuth', i)
 for _input in ('heights', 'gaps', 'rises'):
     WRITERS['position_'+_input] = lambda i=_input: write_motion('position', i)
+
+
+# ---------------------------------------------------------------------------------------------- states and passages
+STATES = ['generic', 'fast', 'upper_half', 'near_conical', 'near_plane', 'small', 'released_at_rest', 'bottom_pole', 'top_pole', 'near_upright',
+          'near_pole', 'off_sphere', 'wide', 'exact']
+EXACT_STATES = [  # l g x y z vx vy vz: on the sphere exactly
+    (5, 4, 3, 0, -4, 0, 3, 0),        # conical
+    (5, 4, 0, 3, -4, 3, 0, 0),        # conical, clockwise
+    (1, 1, 0, 0, -1, 2, 0, 0),        # separatrix from the lowest point
+    (1, 1, 0, 0, -1, -1.5, 0.5, 0),   # plane libration in an oblique plane
+    (1, 1, 0, 0, -1, 3, 4, 0),        # plane rotation
+    (1, 4, 0, 0, 1, 0.25, 0, 0),      # over the top
+    (5, 1, 3, 0, 4, -4, 0, 3),        # plane rotation through a slanted start
+    (5, 1, 3, 4, 0, 0, 0, 0),         # released at the equator
+    (5, 1, 3, 4, 0, 4, -3, 1),        # horizontal and upward
+    (1, 1, 0, 0, -1, 0, 0, 0),        # rest
+    (1, 1, 0, 0, 1, 0, 0, 0),         # rest, upright
+    (5, 1, 3, 0, -4, 0, 1e-3, 0),     # at an upper turning point
+    (5, 1, 3, 0, -4, 0, 7, 0),        # at a lower turning point
+    (25, 1, 15, 12, -16, 0.25, 0.5, 0.609375),
+]
+
+
+def start(name, pick, bits):
+    """l g x y z vx vy vz"""
+    if name == 'exact':
+        l, g, *rest = pick.choice(EXACT_STATES)
+        return [rounded(u, bits) for u in (l, g, *rest)]
+    l, g = lengths(pick, bits, name == 'wide')
+    speed = mp.sqrt(g*l)
+    polar, angle = mp.acos(mpf(pick.uniform(-1, 1))), mpf(pick.uniform(-3.1, 3.1))
+    along, across = mpf(pick.uniform(-1.5, 1.5)), mpf(pick.uniform(-1.5, 1.5))
+    if name == 'fast':
+        along, across = along*20, across*20
+    elif name == 'upper_half':
+        polar = mpf(pick.uniform(0.05, 1.4))
+    elif name == 'near_conical':
+        polar = mp.acos(-mpf(pick.uniform(0.1, 0.95)))
+        along = pick.choice([-1, 1])*power(pick, 2, LAST[bits])
+        across = mp.sin(polar)/mp.sqrt(-mp.cos(polar))*(1+pick.choice([-1, 1])*power(pick, 2, LAST[bits]))
+    elif name == 'near_plane':
+        across = power(pick, 2, TINY[bits]/4)
+    elif name == 'small':
+        size = power(pick, 1, min(SMALL[bits], 30))
+        polar = mp.pi-size*mpf(pick.uniform(0.1, 1))
+        along, across = along*size, across*size
+    elif name == 'released_at_rest':
+        along = across = mpf(0)
+    elif name == 'near_upright':
+        size = power(pick, 1, LAST[bits]/2)
+        polar, along, across = size, along*size, across*size
+    elif name == 'near_pole':
+        size = power(pick, 2, LAST[bits])
+        polar = pick.choice([size, mp.pi-size])
+    x, y, z = mp.sin(polar)*mp.cos(angle), mp.sin(polar)*mp.sin(angle), mp.cos(polar)
+    vx = along*mp.cos(polar)*mp.cos(angle)-across*mp.sin(angle)
+    vy = along*mp.cos(polar)*mp.sin(angle)+across*mp.cos(angle)
+    vz = -along*mp.sin(polar)
+    if name in ('bottom_pole', 'top_pole'):
+        x, y, z, vx, vy, vz = mpf(0), mpf(0), mpf(-1 if name == 'bottom_pole' else 1), 2*along, 2*across, mpf(0)
+    if name == 'off_sphere':
+        x, y, z = (u*(1+mpf(pick.uniform(-9e-4, 9e-4))) for u in (x, y, z))
+        tilt = mpf(pick.uniform(-5e-4, 5e-4))*mp.sqrt(along**2+across**2)
+        vx, vy, vz = vx+tilt*x, vy+tilt*y, vz+tilt*z
+    return [l, g]+[rounded(l*u, bits) for u in (x, y, z)]+[rounded(speed*u, bits) for u in (vx, vy, vz)]
+
+
+def write_state():
+    pick = random.Random('state')
+
+    def state(l, g, x, y, z, vx, vy, vz, t):
+        return exact.Motion(l, g, x, y, z, vx, vy, vz).state(t)
+    lines = []
+    for bits in (64, 32, 128):
+        for name in STATES:
+            for number in range((12 if name != 'exact' else 30) if bits == 64 else 3):
+                arguments = start(name, pick, bits)
+                with mp.workdps(200):
+                    motion = exact.Motion(*arguments)
+                    if motion.rest or motion.separatrix:
+                        period = 3*mp.sqrt(arguments[0]/arguments[1])
+                    else:
+                        period = motion.orbit.T
+                t = pick.choice([mpf(0), period*mpf(pick.uniform(0, 1)), period*mpf(pick.uniform(-3, 3)), period*mpf(pick.uniform(0, 100 if bits < 128 else 10))])
+                if name == 'wide' and bits == 32 and not mpf(10)**-30 < period < mpf(10)**30:
+                    continue
+                if number == 0:
+                    t = mpf(0)
+                lines.append(row(name, bits, state, arguments+[rounded(t, bits)], zero_condition=True))
+    write('state', 'l g x y z vx vy vz t -> x y z vx vy vz (of the projected start); condition in all arguments', 9, 6, lines)
+
+
+def write_passage(what):
+    pick = random.Random('passage '+what)
+
+    def height(l, g, z1, z2, z):
+        o = exact.gaps_from_heights(l, g, z1, z2)
+        return [exact.passage_height(exact.Orbit(o), z1-z, z-z2)]
+
+    def azimuth(l, g, z1, z2, phi):
+        return [exact.passage_azimuth(exact.Orbit(exact.gaps_from_heights(l, g, z1, z2)), phi)]
+    lines = []
+    for bits in (64, 32, 128):
+        for name in HEIGHTS:
+            if name == 'conical' and what == 'height' or name == 'plane' and what == 'azimuth':
+                continue
+            for _ in range(3 if bits == 64 else 1):
+                arguments = sampled('heights', pick, bits, name)
+                z1, z2 = arguments[2:]
+                if what == 'height':
+                    values = [z1, z2]+[min(z1, max(z2, rounded(z2+(z1-z2)*u, bits)))
+                                       for u in (mpf(pick.uniform(0, 1)), power(pick, 1, 12), 1-power(pick, 1, 12), mpf(pick.uniform(0, 1)))]
+                else:
+                    values = [mpf(0)]+[rounded(u, bits) for u in (pick.uniform(0, 3.2), pick.uniform(0, 0.1), power(pick, 2, 20), pick.uniform(3, 100), pick.uniform(100, 1e4))]
+                for value in values if bits == 64 else pick.sample(values, 3):
+                    lines.append(row(name, bits, height if what == 'height' else azimuth, arguments+[value], varied=[4], zero_condition=True))
+    write('passage_'+what, 'l g z1 z2 %s -> first t >= 0; condition in the last argument alone' % ('z' if what == 'height' else 'phi'), 5, 1, lines)
+
+
+WRITERS['state'] = write_state
+WRITERS['passage_height'] = lambda: write_passage('height')
+WRITERS['passage_azimuth'] = lambda: write_passage('azimuth')
 
 
 if __name__ == '__main__':
