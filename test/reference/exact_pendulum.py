@@ -422,21 +422,26 @@ def passage_azimuth(orbit, phi):
         return phi/orbit.rate
     n = mp.floor(phi/(mp.pi+orbit.lamT))
     low, high = n*orbit.T, (n+1)*orbit.T
-    t = (low+high)/2
-    speed = orbit.gaps
-    for _ in range(2000):
-        error = orbit.azimuth(t)-phi
-        if error > 0:
-            high = t
-        else:
-            low = t
-        x, y, z, vx, vy, vz = orbit.position(t)
-        r2 = x*x+y*y
-        step = error*r2/speed.c2
-        new = t-step
-        if not low < new < high:
-            new = (low+high)/2
-        if abs(new-t) <= abs(new)*mpf(10)**(-mp.mp.dps+8):
-            return new
-        t = new
-    raise ArithmeticError('passage_azimuth')
+    t, working = (low+high)/2, mp.mp.dps
+    digits = 40
+    while True:
+        with mp.workdps(digits):
+            for _ in range(2000):
+                error = orbit.azimuth(t)-phi
+                low, high = (low, t) if error > 0 else (t, high)
+                x, y = orbit.position(t)[:2]
+                new = t-error*(x*x+y*y)/orbit.gaps.c2
+                if not low < new < high:
+                    if digits > 40:
+                        low, high = new-abs(new-t), new+abs(new-t)    # rounding of the coarser level
+                    else:
+                        new = (low+high)/2
+                step, t = abs(new-t), new
+                if step <= abs(t)*mpf(10)**(-digits*3//4):
+                    break
+            else:
+                raise ArithmeticError('passage_azimuth')
+        if digits >= working:
+            return t
+        digits = min(3*digits//2, working)
+        low, high = t-orbit.T, t+orbit.T
