@@ -7,14 +7,14 @@ cd "$1" || exit 1
 if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
    files() { git ls-files -- "$@"; }
 else
-   files() { for name in "$@"; do [ ! -e "$name" ] || find "$name" -type f; done; }
+   files() { for name in "$@"; do [ ! -e "$name" ] || find "$name" -name .git -prune -o -path ./build -prune -o -type f -print; done; }
 fi
 breaches=0
 
 # refuse WHAT EXTENDED_REGEX PATH...: no file under these paths may have such a line. `[x]` keeps this script clean itself.
 refuse() {
    what=$1; pattern=$2; shift 2
-   found=$(files "$@" | grep -v -E '^build/' | tr '\n' '\0' | xargs -0 -r grep -n -I -i -E -e "$pattern" /dev/null)
+   found=$(files "$@" | tr '\n' '\0' | xargs -0 -r grep -n -I -i -E -e "$pattern" /dev/null)
    if [ -n "$found" ]; then
       printf '%s:\n%s\n' "$what" "$found"
       breaches=$((breaches + 1))
