@@ -8,6 +8,8 @@ module kyvadlo
    use kyvadlo_nome
    use kyvadlo_jacobi
    use kyvadlo_jacobi_ratios
+   use kyvadlo_orbit
+   use kyvadlo_motion
    implicit none
    public
 end module kyvadlo
