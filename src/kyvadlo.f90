@@ -4,7 +4,6 @@ module kyvadlo
    use kyvadlo_status
    use kyvadlo_carlson
    use kyvadlo_complete
-   use kyvadlo_jacobi
    use kyvadlo_nome
    use kyvadlo_jacobi
    use kyvadlo_jacobi_ratios
