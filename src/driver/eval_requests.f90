@@ -16,6 +16,9 @@ module kyvadlo_eval_requests
    integer, parameter :: most_arguments = 9
 
 
+   character(len=*), parameter :: orbit_results = "T k k' K q A phi(T) lambda*T"
+   character(len=*), parameter :: turning_results = 'z2 z1 z3 l+z2 l-z1 z1-z2 z3-z1 z3-l'
+
    type(request_type), parameter :: requests(*) = [ &
       request_type('rc', 'x y', 'R_C', 'x >= 0'), &
       request_type('rf', 'x y z', 'R_F', 'x, y, z >= 0'), &
@@ -31,7 +34,16 @@ module kyvadlo_eval_requests
       request_type('nome', 'm', 'q', '0 <= m <= 1'), &
       request_type('nomec', 'mc', 'q', '0 <= mc <= 1'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
-      request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite')]
+      request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite'), &
+      request_type('turning', 'l g c1 c2', turning_results, ''), &
+      request_type('turning_top', 'l g c1-gl c2', turning_results, ''), &
+      request_type('turning_bottom', 'l g c1+gl c2', turning_results, ''), &
+      request_type('orbit', 'l g z1 z2', orbit_results, ''), &
+      request_type('orbit_gaps', 'l g l-z1 l+z2', orbit_results, ''), &
+      request_type('orbit_rises', 'l g l+z1 l+z2', orbit_results, ''), &
+      request_type('azimuth', 'l g z1 z2 t', 'phi', ''), &
+      request_type('azimuth_gaps', 'l g l-z1 l+z2 t', 'phi', ''), &
+      request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', '')]
 
 contains
 

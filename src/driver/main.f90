@@ -4,6 +4,7 @@ program kyvadlo_main
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_standard_io, only: close_output, message, open_output, output_type, set_signals
    use kyvadlo_status, only: error_type
+   use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
    implicit none
 
@@ -37,6 +38,8 @@ contains
             select case (arguments%command)
             case ('eval')
                call eval_command(arguments, status, error)
+            case ('table')
+               call table_command(arguments, error)
             case default
                call message('kyvadlo: no command; kyvadlo --help lists them')
                status = 2

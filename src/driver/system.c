@@ -78,7 +78,8 @@ int kyvadlo_open_file(const char *path, int *descriptor)
    }
    {
       char name[PATH_MAX];
-      if (snprintf(name, sizeof name, "%s.part%ld", final_name, (long)getpid()) >= (int)sizeof name) return ENAMETOOLONG;
+      int length = snprintf(name, sizeof name, "%s.part%ld", final_name, (long)getpid());
+      if (length >= (int)sizeof name) return ENAMETOOLONG;
       *descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL, mode);
       if (*descriptor < 0) return errno;
       strcpy(unfinished, name);

@@ -40,6 +40,12 @@ expect_in_out() {
    grep -q -F -e "$1" out || complain "expected in the output: $1"
 }
 
+# A line of standard output that matches the basic regular expression.
+expect_match() {
+   checks=$((checks + 1))
+   grep -q -e "$1" out || complain "expected in the output: $1"
+}
+
 # fails STATUS TEXT ARGUMENT...: the program ends with STATUS, one line on standard error that contains TEXT, no output.
 fails() {
    expected_status=$1

@@ -1,0 +1,104 @@
+!> The command `table`: scenes, the built-in pendulums, or a grid of turning heights, in the kind asked for.
+#define pendulum_type pendulum_type_real32
+module kyvadlo_table_command_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+#include "table_command.inc"
+end module kyvadlo_table_command_real32
+#undef pendulum_type
+
+module kyvadlo_table_command_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+#include "table_command.inc"
+end module kyvadlo_table_command_real64
+
+#define pendulum_type pendulum_type_real128
+module kyvadlo_table_command_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+#include "table_command.inc"
+end module kyvadlo_table_command_real128
+#undef pendulum_type
+
+module kyvadlo_table_command
+   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use kyvadlo_command_line, only: arguments_type, integer_option, option_given, option_value
+   use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
+   use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
+   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_table_command_real32
+   use kyvadlo_table_command_real64
+   use kyvadlo_table_command_real128
+   use kyvadlo_table_options, only: table_options_type
+   implicit none
+   private
+   public :: table_command
+
+contains
+
+   !> Runs the command. On failure nothing has been written.
+   subroutine table_command(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      type(table_options_type) :: options
+      type(output_type) :: output
+
+      call read_options(arguments, options, error)
+      if (allocated(error)) return
+      call open_output(output, option_value(arguments, '--output', ''), error)
+      if (allocated(error)) return
+      select case (option_value(arguments, '--kind', 'double'))
+      case ('single')
+         call tables_in_kind(1.0_real32, arguments, options, output, error)
+      case ('quad')
+         call tables_in_kind(1.0_real128, arguments, options, output, error)
+      case default
+         call tables_in_kind(1.0_real64, arguments, options, output, error)
+      end select
+      if (allocated(error)) then
+         call discard_output(output)
+      else
+         call close_output(output, error)
+      end if
+   end subroutine table_command
+
+   !> The options that do not depend on the kind, and which of them exclude each other.
+   subroutine read_options(arguments, options, error)
+      type(arguments_type), intent(in) :: arguments
+      type(table_options_type), intent(out) :: options
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_grid
+
+      select case (option_value(arguments, '--format', 'text'))
+      case ('csv')
+         options%layout = layout_csv
+      case ('markdown')
+         options%layout = layout_markdown
+      case default
+         options%layout = layout_text
+      end select
+      options%data_only = option_given(arguments, '--data')
+      call integer_option(arguments, '--digits', 1, 100, options%digits, error)
+      if (allocated(error)) return
+      call integer_option(arguments, '--divisions', 1, 100000000, options%divisions, error)
+      if (allocated(error)) return
+      if (options%data_only .and. options%divisions > 0) then
+         call fail(error, code_input, 'options --data and --divisions exclude each other')
+         return
+      end if
+      is_grid = option_given(arguments, '--upper') .or. option_given(arguments, '--lower')
+      if (is_grid) then
+         if (.not. (option_given(arguments, '--upper') .and. option_given(arguments, '--lower'))) then
+            call fail(error, code_input, 'a grid needs both --upper A:B:N and --lower A:B:N')
+         else if (size(arguments%operands) > 0) then
+            call fail(error, code_input, 'give scenes or a grid (--upper, --lower), not both')
+         else if (options%data_only .or. options%divisions > 0) then
+            call fail(error, code_input, 'options --data and --divisions do not apply to a grid')
+         end if
+      else if (option_given(arguments, '--length') .or. option_given(arguments, '--gravity')) then
+         call fail(error, code_input, 'options --length and --gravity apply to a grid: give --upper and --lower too')
+      end if
+      if (allocated(error)) return
+      if (option_given(arguments, '--output') .and. option_value(arguments, '--output', '') == '') &
+         call fail(error, code_input, 'option --output needs the name of a file')
+   end subroutine read_options
+
+end module kyvadlo_table_command

@@ -1,0 +1,188 @@
+# Tables: layouts, options, scenes, grids, errors, files. What the numbers are worth is tested elsewhere; here a few known
+# values show that the right one stands in the right place.
+. "$2/test/driver/expect.sh"
+
+# The plane pendulum from 90 degrees: T = 2 K(1/2) sqrt(l/g); K(1/2) = 1.8540746773013719...
+cat >plane.nml <<'END'
+&pendulum name='quarter circle', length=1, gravity=1, release_angle=90, release_speed=0 /
+END
+run table plane.nml
+expect_status 0
+expect_match '^  period of the height  *T  *3.7081493546027 s$'
+expect_in_out ' T/4  0.92703733865069  -0.41421356237310'
+run table plane.nml --kind single
+expect_match ' T  *3.70815 s$'
+run table plane.nml --kind quad
+expect_match ' T  *3.7081493546027438368677006943905 s$'
+run table plane.nml --digits 5
+expect_match ' T  *3.7081 s$'
+
+# The conical pendulum: omega^2 = g/(-z).
+cat >conical.nml <<'END'
+&pendulum name='cone', length=1, gravity=2, z_upper=-0.5, z_lower=-0.5 /
+END
+run table conical.nml --format csv
+expect_status 0
+expect_in_out '# P = 3.141592653589793e+00 s'
+expect_in_out 'cone,5e-01,1.5707963267948966e+00,-5e-01,'
+run table conical.nml --format csv --data
+expect_status 0
+expect_in_out "pendulum,motion,l,g,z1,z2,z3,l-z1,l+z2,z1-z2,k,k',K,q,T,A,c1,c2,phi(T),lambda*T"
+expect_in_out 'cone,conical,1e+00,2e+00,-5e-01,-5e-01,1.25e+00,1.5e+00,5e-01,0e+00,0e+00,1e+00,'
+
+# Both equilibria, the separatrix, rotation.
+cat >special.nml <<'END'
+&pendulum name='rest', length=1, release_angle=0, release_speed=0 /
+&pendulum name='upright', length=1, release_angle=180, release_speed=0 /
+&pendulum name='never', length=1, gravity=1, energy_above_top=0, momentum=0 /
+&pendulum name='over', length=1, energy_above_top=1, momentum=0 /
+END
+run table special.nml
+expect_status 0
+expect_in_out 'At rest at the lowest point.'
+expect_in_out 'At rest at the highest point, in unstable equilibrium: T = Infinity.'
+expect_in_out 'never arrives at the top, T = Infinity.'
+expect_in_out 'the bob runs over the top.'
+checks=$((checks + 1))
+! grep -i -q nan out || complain 'no NaN may show'
+run table special.nml --divisions 3 --format csv
+expect_status 0
+expect_in_out 'rest,0e+00,0e+00,-1e+00,'
+expect_in_out 'upright,0e+00,0e+00,1e+00,'
+# z = -1 + 2 tanh(4)^2
+expect_in_out 'never,1e+00,4e+00,9.97318'
+
+# A negative momentum mirrors the motion.
+cat >sense.nml <<'END'
+&pendulum length=1, energy=3, momentum=3 /
+&pendulum length=1, energy=3, momentum=-3 /
+END
+run table sense.nml --format csv --data
+cut -d , -f 19 out >phi
+checks=$((checks + 1))
+[ "-$(sed -n 2p phi)" = "$(sed -n 3p phi)" ] || complain 'phi(T) must change its sign with the momentum'
+
+# Divisions: N + 1 rows, the same fields in each; t(N) = T, z(N) = z1.
+run table conical.nml plane.nml --divisions 10 --format csv
+expect_status 0
+checks=$((checks + 1))
+[ "$(grep -v '^#' out | wc -l)" -eq 23 ] || complain '1 + 2 * 11 rows expected'
+[ "$(grep -v '^#' out | awk -F, '{ print NF }' | sort -u)" = 11 ] || complain '11 fields in every row expected'
+run table --divisions 300
+expect_status 0
+run table --format markdown
+expect_status 0
+expect_in_out '## laboratory pendulum of 1 m, wide swing'
+expect_in_out '|  t/T |'
+
+# Without a scene: five pendulums; every option together with them.
+run table
+expect_status 0
+checks=$((checks + 1))
+[ "$(grep -c '^=' out)" -eq 5 ] || complain 'five built-in pendulums expected'
+for kind in single double quad; do
+   for format in text csv markdown; do
+      run table --kind $kind --format $format --divisions 7
+      expect_status 0
+      checks=$((checks + 1))
+      [ ! -s err ] || complain 'nothing on standard error expected'
+      ! grep -i -q nan out || complain 'no NaN may show'
+   done
+done
+
+# The examples, and a scene from standard input.
+for scene in "$top"/examples/scenes/*.nml; do
+   run table "$scene"
+   expect_status 0
+done
+cp plane.nml in
+run table -
+expect_status 0
+expect_in_out 'quarter circle'
+: >in
+
+# Grids: every admissible pair, others left out; both ends exact.
+run table --upper -0.9:0.9:19 --lower -1:0:11 --format csv
+expect_status 0
+expect_in_out '9e-01,-1e+00,'
+checks=$((checks + 1))
+awk -F, 'NR > 1 && !($1 >= $2 && $1 + $2 < 0 && $3 > 0) { exit 1 }' out || complain 'a pair is not admissible'
+run table --upper 0 --lower -1:-0.5:2 --length 2 --gravity 1 --kind single
+expect_status 0
+checks=$((checks + 1))
+[ "$(wc -l <out)" -eq 3 ] || complain 'a head and two rows expected'
+fails 2 'no pair of the grid belongs to an orbit' table --upper 0.5:0.9:3 --lower 0:0.4:3
+fails 2 'a grid needs both --upper A:B:N and --lower A:B:N' table --upper 0:1:2
+fails 2 'give scenes or a grid' table plane.nml --upper 0:1:2 --lower -1:0:2
+fails 2 'options --data and --divisions do not apply to a grid' table --data --upper 0:1:2 --lower -1:0:2
+fails 2 '--upper and --lower too' table --length 2
+fails 2 "option --upper must be A:B:N, got '0:1' (A:B:N has two colons)" table --upper 0:1 --lower 0
+fails 2 "option --upper must be A:B:N, got '0:x:3' (not a number)" table --upper 0:x:3 --lower 0
+fails 2 "option --upper must be A:B:N, got '0:1:0' (N must be" table --upper 0:1:0 --lower 0
+fails 2 "option --upper must be A:B:N, got '0:1:1' (N = 1 needs A = B)" table --upper 0:1:1 --lower 0
+fails 2 "option --upper must be A:B:N, got '0:1:-3'" table --upper 0:1:-3 --lower 0
+fails 2 'option --length must be positive, got -1e+00' table --upper 0 --lower -1 --length -1
+fails 2 "option --gravity must be a number, got 'earth'" table --upper 0 --lower -1 --gravity earth
+
+# Wrong options.
+fails 2 'option --divisions must be a whole number' table --divisions 0
+fails 2 'option --divisions must be a whole number' table --divisions 2.5
+fails 2 'option --digits must be a whole number, 1 to 100' table --digits 101
+fails 2 'option --format must be one of text|csv|markdown' table --format xml
+fails 2 'options --data and --divisions exclude each other' table --data --divisions 3
+fails 2 'option --output needs the name of a file' table --output ''
+
+# Wrong scenes: file, line, rule, value.
+bad() {
+   printf '%b' "$2" >bad.nml
+   fails 2 "$1" table bad.nml
+}
+fails 2 'cannot read nowhere.nml: No such file or directory' table nowhere.nml
+fails 2 'cannot read .: Is a directory' table .
+fails 2 'cannot read nowhere.nml' table plane.nml nowhere.nml
+bad 'bad.nml: the file is empty' ''
+bad 'bad.nml: no &pendulum group' '! only a comment\n'
+bad 'bad.nml:1: not a text file (byte 0)' '\0000\0001\0002'
+bad 'bad.nml:2: unknown group &pendulm' '\n&pendulm /'
+bad 'bad.nml:2: &pendulum: unknown name z_uper' '&pendulum\nz_uper = 1 /'
+bad 'bad.nml:2: &pendulum: length given twice, first on line 1' '&pendulum length=1\nlength=1 /'
+bad 'bad.nml:1: &pendulum: no start' '&pendulum length=1 /'
+bad 'bad.nml:1: &pendulum: two starts: z_upper, z_lower and top_gap, bottom_gap' \
+   '&pendulum length=1 z_upper=0 z_lower=-1 top_gap=1 bottom_gap=0/'
+bad 'bad.nml:2: &pendulum: length must be positive, got -1e+00' '&pendulum\nlength=-1 z_upper=0 z_lower=-1/'
+bad "bad.nml:1: &pendulum: length must be a finite number, got 'Infinity'" '&pendulum length=Infinity z_upper=0 z_lower=-1/'
+bad "bad.nml:1: &pendulum: z_upper must be a finite number, got '1e400' (too large for the double kind)" \
+   '&pendulum length=1 z_upper=1e400 z_lower=-1/'
+for start in 'z_upper=-0.5 z_lower=0' 'z_upper=0.5 z_lower=-0.5' 'z_upper=0 z_lower=-1.5' 'z_upper=1 z_lower=-1' \
+   'top_gap=1 bottom_gap=1' 'top_gap=-1 bottom_gap=1' 'upper_rise=1 lower_rise=2' 'energy=-20 momentum=0' \
+   'energy_above_bottom=-1 momentum=0' 'energy=0 momentum=1e6'; do
+   bad "bad.nml:1: &pendulum 'pendulum 1': " "&pendulum length=1 $start /"
+done
+
+# Files appear whole or not at all.
+run table plane.nml --output result.txt
+expect_status 0
+checks=$((checks + 1))
+grep -q 'quarter circle' result.txt || complain 'result.txt must hold the table'
+cp result.txt before.txt
+printf '&pendulum length=1 /' >bad2.nml
+fails 2 'no start' table bad2.nml --output result.txt
+cmp -s result.txt before.txt || complain 'a failed run must leave the old file'
+fails 2 'cannot write nowhere/result.txt: No such file or directory' table plane.nml --output nowhere/result.txt
+fails 2 'cannot write .: Is a directory' table plane.nml --output .
+checks=$((checks + 1))
+[ -z "$(ls | grep part)" ] || complain 'no unfinished file may stay'
+ln -s result.txt link.txt
+run table plane.nml --format csv --output link.txt
+expect_status 0
+checks=$((checks + 1))
+{ [ -h link.txt ] && grep -q t_over_T result.txt; } || complain 'a link is written through'
+if [ -e /dev/full ]; then
+   fails 2 'cannot write /dev/full: ' table --output /dev/full
+fi
+command_line='kyvadlo table | head'
+"$program" table --divisions 100000 2>err | head -n 1 >out
+checks=$((checks + 1))
+[ ! -s err ] || complain 'a closed pipe must end quietly'
+
+finish
