@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes jacobi.dat (u, m) and jacobic.dat (u, 1 - m): sn, cn, dn and am at the exact binary arguments.
 
-Descending Landen transformation with the arithmetic-geometric mean (DLMF 22.20(ii)) at 60 digits beyond what the argument
-and the complementary parameter cancel; every twentieth row is compared with mpmath's ellipfun, which sums theta series.
+Descending Landen transformation with the arithmetic-geometric mean (DLMF 22.20(ii)) at 60 digits beyond what the
+argument and the complementary parameter cancel; every twentieth row is compared with mpmath's ellipfun, which sums theta series.
 The sets are those of doc/accuracy.md."""
 import random
 from mpmath import mp, mpf, sqrt, sin, cos, asin, atan2, log10, ellipfun, nstr, frexp, ldexp, nint, pi, agm
@@ -50,17 +50,15 @@ def jacobi(u, m, mc):
 
 
 def work_digits(u, mc):
-    return 75 + int(2*max(0, -log10(abs(mc)))) + int(abs(log10(abs(u) + 1)))*2 + int(abs(log10(1 + abs(1 - mc)))) if mc != 0 else 75
+    if mc == 0:
+        return 75
+    return 75 + int(2*max(0, -log10(abs(mc)))) + int(2*log10(abs(u) + 1)) + int(log10(1 + abs(1 - mc)))
 
 
 def row(name, bits, u, parameter, complementary, check):
     """One line: the results and the conditions, each argument moved by half an ulp."""
-    mp.dps = 40
-    mp.dps = max(75, work_digits(u, parameter if complementary else 1 - parameter) if (complementary or parameter != 1) else 75)
-    if not complementary and parameter != 1 and parameter != 0:
-        mp.dps = 800
-        mc = 1 - parameter
-        mp.dps = work_digits(u, mc) + 40
+    mp.dps = 800
+    mp.dps = work_digits(u, parameter if complementary else 1 - parameter) + 40
     m, mc = (1 - parameter, parameter) if complementary else (parameter, 1 - parameter)
     values = jacobi(u, m, mc)
     sn, cn, dn, am = values
@@ -75,7 +73,8 @@ def row(name, bits, u, parameter, complementary, check):
         with mp.workdps(mp.dps + 60):
             p = parameter + step
             moved = jacobi(u, 1 - p if complementary else p, p if complementary else 1 - p)
-            here = jacobi(u, 1 - parameter if complementary else parameter, parameter if complementary else 1 - parameter)
+            p = parameter
+            here = jacobi(u, 1 - p if complementary else p, p if complementary else 1 - p)
             slope = [(x - y)/step for x, y in zip(moved, here)]
     if parameter == 1 and not complementary:  # dF/dm at m = 1, DLMF 22.10.7 to 22.10.9
         sinh, cosh = mp.sinh(u), mp.cosh(u)
@@ -91,7 +90,7 @@ def row(name, bits, u, parameter, complementary, check):
 
 
 def uniform(a, b):
-    return mpf(random.uniform(a, b)) + mpf(random.random())*mpf(2)**-60*(b - a) + mpf(random.random())*mpf(2)**-110*(b - a)
+    return mpf(random.uniform(a, b)) + (random.random() + random.random()*mpf(2)**-50)*mpf(2)**-60*(b - a)
 
 
 def power(a, b):

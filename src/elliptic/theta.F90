@@ -1,0 +1,26 @@
+module kyvadlo_theta_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "theta.inc"
+end module kyvadlo_theta_real32
+
+module kyvadlo_theta_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "theta.inc"
+end module kyvadlo_theta_real64
+
+module kyvadlo_theta_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+#include "theta.inc"
+end module kyvadlo_theta_real128
+
+!> Jacobi's theta functions in three kinds.
+module kyvadlo_theta
+   use kyvadlo_theta_real32
+   use kyvadlo_theta_real64
+   use kyvadlo_theta_real128
+   implicit none
+   public
+end module kyvadlo_theta
