@@ -7,6 +7,8 @@ module kyvadlo
    use kyvadlo_nome
    use kyvadlo_jacobi
    use kyvadlo_jacobi_ratios
+   use kyvadlo_theta
+   use kyvadlo_cubic
    use kyvadlo_orbit
    use kyvadlo_motion
    implicit none

@@ -17,6 +17,7 @@ module kyvadlo_eval_requests
 
 
    character(len=*), parameter :: orbit_results = "T k k' K q A phi(T) lambda*T"
+   character(len=*), parameter :: place_results = 'x y z vx vy vz'
    character(len=*), parameter :: turning_results = 'z2 z1 z3 l+z2 l-z1 z1-z2 z3-z1 z3-l'
 
    type(request_type), parameter :: requests(*) = [ &
@@ -35,6 +36,8 @@ module kyvadlo_eval_requests
       request_type('nomec', 'mc', 'q', '0 <= mc <= 1'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
       request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite'), &
+      request_type('theta', 'i v q', 'theta_i(v, q)', 'i = 1, 2, 3 or 4, 0 <= q < 1'), &
+      request_type('cubic', 'a b c d', 'count roots, ascending', ''), &
       request_type('turning', 'l g c1 c2', turning_results, ''), &
       request_type('turning_top', 'l g c1-gl c2', turning_results, ''), &
       request_type('turning_bottom', 'l g c1+gl c2', turning_results, ''), &
@@ -43,7 +46,10 @@ module kyvadlo_eval_requests
       request_type('orbit_rises', 'l g l+z1 l+z2', orbit_results, ''), &
       request_type('azimuth', 'l g z1 z2 t', 'phi', ''), &
       request_type('azimuth_gaps', 'l g l-z1 l+z2 t', 'phi', ''), &
-      request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', '')]
+      request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', ''), &
+      request_type('position', 'l g z1 z2 t', place_results, ''), &
+      request_type('position_gaps', 'l g l-z1 l+z2 t', place_results, ''), &
+      request_type('position_rises', 'l g l+z1 l+z2 t', place_results, '')]
 
 contains
 
