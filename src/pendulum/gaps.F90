@@ -5,12 +5,14 @@ module kyvadlo_gaps_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
 #define gaps_type gaps_type_real32
 #include "gaps.inc"
+#include "gaps_state.inc"
 #undef gaps_type
 end module kyvadlo_gaps_real32
 
 module kyvadlo_gaps_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
 #include "gaps.inc"
+#include "gaps_state.inc"
 end module kyvadlo_gaps_real64
 
 #define pair_type pair_type_real128
@@ -20,6 +22,7 @@ module kyvadlo_gaps_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
 #define gaps_type gaps_type_real128
 #include "gaps.inc"
+#include "gaps_state.inc"
 #undef gaps_type
 end module kyvadlo_gaps_real128
 #undef pair_type
