@@ -9,8 +9,16 @@ module kyvadlo
    use kyvadlo_jacobi_ratios
    use kyvadlo_theta
    use kyvadlo_cubic
-   use kyvadlo_orbit
-   use kyvadlo_motion
+   use kyvadlo_motion_kinds
+   use kyvadlo_orbit, only: orbit_type, orbit_type_real32, orbit_type_real128, &
+      turning_type, turning_type_real32, turning_type_real128, &
+      new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises, new_orbit_from_release, &
+      new_orbit_from_energy, new_orbit_from_energy_above_top, new_orbit_from_energy_above_bottom, from_upper_turning
+   use kyvadlo_state
+   use kyvadlo_motion, only: height_period, modulus, complementary_modulus, quarter_period, nome, phase_rate, &
+      azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, orbit_energy, orbit_momentum, &
+      polar_angle_terms, height, rise, top_clearance, phase, periodic_azimuth, azimuth, vertical_speed, &
+      azimuthal_speed, speed, locate
    implicit none
    public
 end module kyvadlo
