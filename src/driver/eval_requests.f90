@@ -49,7 +49,8 @@ module kyvadlo_eval_requests
       request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', ''), &
       request_type('position', 'l g z1 z2 t', place_results, ''), &
       request_type('position_gaps', 'l g l-z1 l+z2 t', place_results, ''), &
-      request_type('position_rises', 'l g l+z1 l+z2 t', place_results, '')]
+      request_type('position_rises', 'l g l+z1 l+z2 t', place_results, ''), &
+      request_type('state', 'l g x y z vx vy vz t', place_results, '')]
 
 contains
 

@@ -62,6 +62,16 @@ cut -d , -f 19 out >phi
 checks=$((checks + 1))
 [ "-$(sed -n 2p phi)" = "$(sed -n 3p phi)" ] || complain 'phi(T) must change its sign with the momentum'
 
+# From a state at a lower turning point: the momentum is x vy - y vx.
+cat >state.nml <<'END'
+&pendulum length=1, gravity=1, position=0.6, 0, -0.8, velocity=3*0 /
+&pendulum length=1, gravity=1, position=0.6, 0, -0.8, velocity(1)=0, velocity(2)=-2, velocity(3)=0 /
+END
+run table state.nml --format csv --data
+expect_status 0
+expect_in_out 'pendulum 1,plane libration,'
+expect_in_out ',-1.2e+00,'
+
 # Divisions: N + 1 rows, the same fields in each; t(N) = T, z(N) = z1.
 run table conical.nml plane.nml --divisions 10 --format csv
 expect_status 0
@@ -155,7 +165,8 @@ bad "bad.nml:1: &pendulum: z_upper must be a finite number, got '1e400' (too lar
    '&pendulum length=1 z_upper=1e400 z_lower=-1/'
 for start in 'z_upper=-0.5 z_lower=0' 'z_upper=0.5 z_lower=-0.5' 'z_upper=0 z_lower=-1.5' 'z_upper=1 z_lower=-1' \
    'top_gap=1 bottom_gap=1' 'top_gap=-1 bottom_gap=1' 'upper_rise=1 lower_rise=2' 'energy=-20 momentum=0' \
-   'energy_above_bottom=-1 momentum=0' 'energy=0 momentum=1e6'; do
+   'energy_above_bottom=-1 momentum=0' 'energy=0 momentum=1e6' 'position=0,0,-1.1 velocity=3*0' \
+   'position=0.6,0,-0.8 velocity=-0.6,0,0.8' 'position=3*0 velocity=3*0'; do
    bad "bad.nml:1: &pendulum 'pendulum 1': " "&pendulum length=1 $start /"
 done
 
