@@ -17,6 +17,20 @@ expect_match ' T  *3.7081493546027438368677006943905 s$'
 run table plane.nml --digits 5
 expect_match ' T  *3.7081 s$'
 
+# A generic orbit: mpmath, 40 digits, T and phi by quadrature of (5) and (17), z and dz/dt by sn, cn, dn, phi(T/10) by
+# quadrature over time: T 1.08679328201239380701917, phi(T) 5.36839090529474055772109; at T/10 z 0.222528826378629109216,
+# dz/dt -1.41981592225872192515, phi 0.421567100964424602791, B 0.513046541152909194711, dphi/dt 3.77154137219434127288,
+# v 3.95487564527483388382; z(T/4) -0.162379267585047245074.
+cat >generic.nml <<'END'
+&pendulum name='generic', length=1, z_upper=0.3, z_lower=-0.8 /
+END
+run table generic.nml
+expect_match '^ *T/4 *0.27169832050310 *-0.16237926758505$'
+expect_match '^ *T *1.0867932820124 *3.6655257739793 *6.2831853071796 *5.3683909052947 *307.58614164980$'
+run table generic.nml --divisions 10
+expect_match ' 0.10867932820124 *0.22252882637863 *0.36655257739793 *0.51304654115291 *0.42156710096442 '
+expect_match ' 24.154015666827 *-1.4198159222587 *3.7715413721943 *3.9548756452748$'
+
 # The conical pendulum: omega^2 = g/(-z).
 cat >conical.nml <<'END'
 &pendulum name='cone', length=1, gravity=2, z_upper=-0.5, z_lower=-0.5 /
