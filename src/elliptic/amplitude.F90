@@ -1,0 +1,17 @@
+!> Reduction of the amplitude of an incomplete elliptic integral, in two kinds.
+module kyvadlo_amplitude_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+#include "amplitude.inc"
+end module kyvadlo_amplitude_real64
+
+module kyvadlo_amplitude_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+#include "amplitude.inc"
+end module kyvadlo_amplitude_real128
+
+module kyvadlo_amplitude
+   use kyvadlo_amplitude_real64
+   use kyvadlo_amplitude_real128
+   implicit none
+   public
+end module kyvadlo_amplitude

@@ -1,0 +1,38 @@
+!> Incomplete elliptic integrals F, E, D, B in three kinds; real32 is computed in real64.
+module kyvadlo_incomplete_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "incomplete.inc"
+end module kyvadlo_incomplete_real32
+
+module kyvadlo_incomplete_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "incomplete.inc"
+end module kyvadlo_incomplete_real64
+
+module kyvadlo_incomplete_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "incomplete.inc"
+end module kyvadlo_incomplete_real128
+
+module kyvadlo_incomplete
+   use kyvadlo_incomplete_real32
+   use kyvadlo_incomplete_real64
+   use kyvadlo_incomplete_real128
+   implicit none
+   public
+end module kyvadlo_incomplete

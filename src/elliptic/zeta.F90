@@ -1,0 +1,32 @@
+!> Jacobi's zeta function in three kinds; real32 is computed in real64.
+module kyvadlo_zeta_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "zeta.inc"
+end module kyvadlo_zeta_real32
+
+module kyvadlo_zeta_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "zeta.inc"
+end module kyvadlo_zeta_real64
+
+module kyvadlo_zeta_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
+   use kyvadlo_zeta_ratio, only: zeta_ratio
+#include "zeta.inc"
+end module kyvadlo_zeta_real128
+
+module kyvadlo_zeta
+   use kyvadlo_zeta_real32
+   use kyvadlo_zeta_real64
+   use kyvadlo_zeta_real128
+   implicit none
+   public
+end module kyvadlo_zeta
