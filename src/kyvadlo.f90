@@ -4,9 +4,14 @@ module kyvadlo
    use kyvadlo_status
    use kyvadlo_carlson
    use kyvadlo_complete
+   use kyvadlo_complete_pi
+   use kyvadlo_incomplete
+   use kyvadlo_incomplete_pi
    use kyvadlo_nome
    use kyvadlo_jacobi
    use kyvadlo_jacobi_ratios
+   use kyvadlo_zeta
+   use kyvadlo_heuman
    use kyvadlo_theta
    use kyvadlo_cubic
    use kyvadlo_motion_kinds
