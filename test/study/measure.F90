@@ -1,0 +1,30 @@
+!> Every row of a reference file against the library, in three kinds.
+module measure_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, real64, real128
+   use kyvadlo
+#define orbit_type orbit_type_real32
+#include "measure.inc"
+#undef orbit_type
+end module measure_real32
+
+module measure_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, real64, real128
+   use kyvadlo
+#include "measure.inc"
+end module measure_real64
+
+module measure_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, real64, real128
+   use kyvadlo
+#define orbit_type orbit_type_real128
+#include "measure.inc"
+#undef orbit_type
+end module measure_real128
+
+module measure_rows
+   use measure_real32
+   use measure_real64
+   use measure_real128
+   implicit none
+   public
+end module measure_rows
