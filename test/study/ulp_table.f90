@@ -200,7 +200,8 @@ contains
       type(finding_type), intent(in) :: line
 
       is_hard = .not. is_benign(line)
-      if (line%question(1:6) == 'jacobi') is_hard = line%set(1:5) == 'hard_' .and. line%set(1:8) /= 'hard_mc_'
+      if (line%question == 'jacobi') is_hard = line%set(1:5) == 'hard_'
+      if (line%question == 'jacobic') is_hard = line%set == 'hard_mc'
    end function is_hard
 
    logical function any_slack(found, part)
