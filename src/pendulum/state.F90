@@ -8,6 +8,7 @@ module kyvadlo_state_real32
    use kyvadlo_gaps_real32, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real32, only: orbit_type, set_up
    use kyvadlo_motion_real32, only: place, azimuth
+   use kyvadlo_passage_real32, only: phase_time
 #include "state.inc"
 end module kyvadlo_state_real32
 #undef gaps_type
@@ -18,6 +19,7 @@ module kyvadlo_state_real64
    use kyvadlo_gaps_real64, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real64, only: orbit_type, set_up
    use kyvadlo_motion_real64, only: place, azimuth
+   use kyvadlo_passage_real64, only: phase_time
 #include "state.inc"
 end module kyvadlo_state_real64
 
@@ -30,6 +32,7 @@ module kyvadlo_state_real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real128, only: orbit_type, set_up
    use kyvadlo_motion_real128, only: place, azimuth
+   use kyvadlo_passage_real128, only: phase_time
 #include "state.inc"
 end module kyvadlo_state_real128
 #undef gaps_type
