@@ -3,12 +3,23 @@ program with_core
    use kyvadlo
    implicit none
    type(error_type), allocatable :: error
+   type(orbit_type) :: orbit
+   real(real64) :: z
 
    ! K(1/2) = RF(0, 1/2, 1) = 1.8540746773013719...
    call check(elliptic_k(0.5_real64))
    call check(carlson_rf(0.0_real64, 0.5_real64, 1.0_real64))
-   call fail(error, code_domain, 'with_core: made to fail')
-   if (error%code /= code_domain) error stop 'another code came back'
+
+   ! Half a period after the upper turning height comes the lower one.
+   call new_orbit_from_heights(orbit, 1.0_real64, 9.80665_real64, 0.25_real64, -0.75_real64, error)
+   if (allocated(error)) error stop 'no orbit between 0.25 and -0.75'
+   z = height(orbit, height_period(orbit)/2)
+   if (.not. abs(z + 0.75_real64) <= 4*epsilon(z)) error stop 'not at the lower turning height'
+   print '(a, f6.3)', 'z(T/2) = ', z
+
+   call new_orbit_from_heights(orbit, -1.0_real64, 9.80665_real64, 0.25_real64, -0.75_real64, error)
+   if (.not. allocated(error)) error stop 'a negative length went through'
+   print '(a)', error%message
    deallocate (error)   ! the leak sanitizer counts what a main program keeps
 
 contains
