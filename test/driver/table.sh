@@ -181,7 +181,7 @@ for start in 'z_upper=-0.5 z_lower=0' 'z_upper=0.5 z_lower=-0.5' 'z_upper=0 z_lo
    'top_gap=1 bottom_gap=1' 'top_gap=-1 bottom_gap=1' 'upper_rise=1 lower_rise=2' 'energy=-20 momentum=0' \
    'energy_above_bottom=-1 momentum=0' 'energy=0 momentum=1e6' 'position=0,0,-1.1 velocity=3*0' \
    'position=0.6,0,-0.8 velocity=-0.6,0,0.8' 'position=3*0 velocity=3*0'; do
-   bad "bad.nml:1: &pendulum 'pendulum 1': " "&pendulum length=1 $start /"
+   bad "bad.nml:2: &pendulum 'pendulum 1': " "&pendulum length=1\\n$start /"
 done
 
 # Files appear whole or not at all.
