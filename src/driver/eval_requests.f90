@@ -17,6 +17,7 @@ module kyvadlo_eval_requests
 
 
    character(len=*), parameter :: orbit_results = "T k k' K q A phi(T) lambda*T"
+   character(len=*), parameter :: incomplete_domain = 'm <= 1, or m sin(phi)^2 <= 1 from 0 to phi'
    character(len=*), parameter :: place_results = 'x y z vx vy vz'
    character(len=*), parameter :: turning_results = 'z2 z1 z3 l+z2 l-z1 z1-z2 z3-z1 z3-l'
 
@@ -32,10 +33,28 @@ module kyvadlo_eval_requests
       request_type('Ec', 'mc', 'E', 'mc >= 0'), &
       request_type('D', 'm', 'D', 'm <= 1'), &
       request_type('Dc', 'mc', 'D', 'mc >= 0'), &
+      request_type('B', 'm', 'B', 'm <= 1'), &
+      request_type('Bc', 'mc', 'B', 'mc >= 0'), &
+      request_type('Pi', 'n m', 'Pi', 'm <= 1'), &
+      request_type('Pic', 'n mc', 'Pi', 'mc >= 0'), &
+      request_type('F', 'phi m', 'F', incomplete_domain), &
+      request_type('Fc', 'phi mc', 'F', incomplete_domain), &
+      request_type('Einc', 'phi m', 'E', incomplete_domain), &
+      request_type('Eincc', 'phi mc', 'E', incomplete_domain), &
+      request_type('Dinc', 'phi m', 'D', incomplete_domain), &
+      request_type('Dincc', 'phi mc', 'D', incomplete_domain), &
+      request_type('Binc', 'phi m', 'B', incomplete_domain), &
+      request_type('Bincc', 'phi mc', 'B', incomplete_domain), &
+      request_type('Piinc', 'n phi m', 'Pi', incomplete_domain), &
+      request_type('Piincc', 'n phi mc', 'Pi', incomplete_domain), &
       request_type('nome', 'm', 'q', '0 <= m <= 1'), &
       request_type('nomec', 'mc', 'q', '0 <= mc <= 1'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
       request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite'), &
+      request_type('zeta', 'u m', 'Z', 'm <= 1'), &
+      request_type('zetac', 'u mc', 'Z', 'mc >= 0'), &
+      request_type('heuman', 'phi m', 'Lambda_0', '0 <= m <= 1'), &
+      request_type('heumanc', 'phi mc', 'Lambda_0', '0 <= mc <= 1'), &
       request_type('theta', 'i v q', 'theta_i(v, q)', 'i = 1, 2, 3 or 4, 0 <= q < 1'), &
       request_type('cubic', 'a b c d', 'count roots, ascending', ''), &
       request_type('turning', 'l g c1 c2', turning_results, ''), &
@@ -50,7 +69,9 @@ module kyvadlo_eval_requests
       request_type('position', 'l g z1 z2 t', place_results, ''), &
       request_type('position_gaps', 'l g l-z1 l+z2 t', place_results, ''), &
       request_type('position_rises', 'l g l+z1 l+z2 t', place_results, ''), &
-      request_type('state', 'l g x y z vx vy vz t', place_results, '')]
+      request_type('state', 'l g x y z vx vy vz t', place_results, ''), &
+      request_type('passage_height', 'l g z1 z2 z', 't', 'z2 <= z <= z1'), &
+      request_type('passage_azimuth', 'l g z1 z2 phi', 't', 'phi >= 0, and no bob at rest')]
 
 contains
 

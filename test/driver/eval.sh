@@ -37,6 +37,17 @@ expect_status 0
 run eval K 1e-400
 expect_status 0
 
+# Set-ups say what is wrong.
+fails 1 'error: orbit: turning heights: ' eval orbit 1 1 -0.5 0.5
+fails 1 'error: turning_top: energy and momentum: the momentum is too large' eval turning_top 1 1 2e-5 -1e200
+fails 1 'error: turning: energy and momentum: the energy is below' eval turning 1 1 -2 0
+fails 1 'error: cubic: the coefficients must not all be zero' eval cubic 0 0 0 0
+fails 1 'error: passage_height: outside the domain (z2 <= z <= z1), got ' eval passage_height 1 1 0 -1 0.5
+fails 1 'error: theta: outside the domain (i = 1, 2, 3 or 4' eval theta 2.5 0 0.5
+fails 1 'error: rf: outside the domain (x, y, z >= 0), got -1e+00 2e+00 3e+00' eval rf -1 2 3
+run eval orbit 1 1 0 0
+expect_status 1
+
 # Exactly one answer a line: bad lines, empty lines, carriage returns, no last line end.
 printf 'K 1\n\nnonsense\nK x\n  E\t1  \r\nK 1' >in
 run eval
