@@ -1,5 +1,5 @@
 module kyvadlo_jacobi_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real32, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #define jacobi_type jacobi_type_real32
 #include "jacobi.inc"
@@ -7,13 +7,13 @@ module kyvadlo_jacobi_real32
 end module kyvadlo_jacobi_real32
 
 module kyvadlo_jacobi_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real64, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #include "jacobi.inc"
 end module kyvadlo_jacobi_real64
 
 module kyvadlo_jacobi_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #define jacobi_type jacobi_type_real128
 #include "jacobi.inc"

@@ -2,7 +2,8 @@
 """Writes jacobi.dat (u, m) and jacobic.dat (u, 1 - m): sn, cn, dn and am at the exact binary arguments.
 
 Descending Landen transformation with the arithmetic-geometric mean (DLMF 22.20(ii)) at 60 digits beyond what the
-argument and the complementary parameter cancel; every twentieth row is compared with mpmath's ellipfun, which sums theta series.
+argument and the complementary parameter cancel; every twentieth row is compared with mpmath's ellipfun, which sums
+theta series.
 The sets are those of doc/accuracy.md."""
 import random
 from mpmath import mp, mpf, sqrt, sin, cos, asin, atan2, log10, ellipfun, nstr, frexp, ldexp, nint, pi, agm
