@@ -24,6 +24,7 @@ module kyvadlo
       azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, orbit_energy, orbit_momentum, &
       polar_angle_terms, height, rise, top_clearance, phase, periodic_azimuth, azimuth, vertical_speed, &
       azimuthal_speed, speed, locate, acceleration, rod_force
+   use kyvadlo_string
    use kyvadlo_passage, only: time_to_height, time_to_rise, time_to_azimuth, next_turning_time
    implicit none
    public

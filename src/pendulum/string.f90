@@ -1,0 +1,250 @@
+!> A bob on a string, which can only pull: swings on the sphere and free flights between them, every one exact.
+!>
+!> The string goes slack where its tension over the mass, (2 c1 - 3 g z)/l, reaches zero on the way up; the bob flies
+!> freely until it is a length away from the pivot again. There it loses its radial velocity, or gets it back reversed and
+!> times the coefficient of restitution, and swings on, or flies on.
+module kyvadlo_string
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_status, only: error_type, fail, code_domain
+   use kyvadlo_cubic, only: cubic_roots
+   use kyvadlo_orbit, only: orbit_type
+   use kyvadlo_state, only: new_orbit_from_state
+   use kyvadlo_motion, only: locate, rod_force, orbit_energy
+   use kyvadlo_passage, only: time_to_height
+   implicit none
+   private
+   public :: string_motion_type, string_piece_type, string_event_type, new_string_motion, locate_on_string
+   public :: event_slack, event_taut, event_rebound, event_end_of_rattling
+
+   integer, parameter :: event_slack = 1            !! The tension vanishes, the bob leaves the sphere
+   integer, parameter :: event_taut = 2             !! The string is taut again, the radial velocity is lost
+   integer, parameter :: event_rebound = 3          !! The string is taut, the bob rebounds into another flight
+   integer, parameter :: event_end_of_rattling = 4  !! As event_taut, by the rule that ends ever smaller rebounds
+
+   !> A stretch of one kind of motion, from `start` to the start of the next one.
+   type :: string_piece_type
+      real(wp) :: start = 0              !! [s]
+      logical :: is_taut = .true.
+      type(orbit_type) :: orbit          !! If taut: the swing, its time counted from `start`
+      real(wp) :: position(3) = 0        !! At `start` [m]
+      real(wp) :: velocity(3) = 0        !! At `start` [m/s]
+   end type string_piece_type
+
+   !> What happened between two pieces.
+   type :: string_event_type
+      real(wp) :: time = 0               !! [s]
+      integer :: kind = 0                !! One of the `event_*` constants
+      real(wp) :: position(3) = 0        !! [m]
+      real(wp) :: energy_lost = 0        !! Per mass [m2/s2]
+   end type string_event_type
+
+   !> The whole motion, set up once; read-only after that.
+   type :: string_motion_type
+      real(wp) :: length = 0, gravity = 0                  !! [m], [m/s2]
+      type(string_piece_type), allocatable :: pieces(:)
+      type(string_event_type), allocatable :: events(:)    !! events(i) lies between pieces(i) and pieces(i+1)
+      logical :: is_complete = .true.                      !! .false.: ended at the largest number of events
+   end type string_motion_type
+
+   !> Rebounds end, as if inelastic, when the radial speed is below this part of sqrt(g l): the bob then would come off by
+   !> less than its square, an epsilon of the length.
+   real(wp), parameter :: rattling = sqrt(epsilon(1.0_wp))
+   !> A motion of more pieces than this is cut and says so.
+   integer, parameter :: most_events = 100000
+
+contains
+
+   !> Follows the bob from a start on the sphere for a duration, event by event.
+   pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error)
+      type(string_motion_type), intent(out) :: motion
+      real(wp), intent(in) :: length, gravity         !! l [m], g [m/s2]
+      real(wp), intent(in) :: position(3)             !! At t = 0, on the sphere [m]
+      real(wp), intent(in) :: velocity(3)             !! At t = 0, tangential [m/s]
+      real(wp), intent(in) :: restitution             !! Of the radial speed at re-tension, 0 (inelastic) to 1
+      real(wp), intent(in) :: duration                !! Events after it are left out [s]
+      type(error_type), allocatable, intent(out) :: error
+      type(string_piece_type) :: piece
+      type(string_event_type) :: event
+      integer :: count
+
+      motion%length = length
+      motion%gravity = gravity
+      allocate (motion%pieces(8), motion%events(8))
+      if (.not. (restitution >= 0 .and. restitution <= 1)) then
+         call fail(error, code_domain, 'string: restitution must lie between 0 and 1')
+         return
+      end if
+      ! The set-up checks the rest, and puts the start exactly on the sphere.
+      call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error)
+      if (allocated(error)) return
+      call locate(piece%orbit, 0.0_wp, piece%position, piece%velocity)
+      piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+
+      count = 0
+      do
+         call append_piece(motion%pieces, count + 1, piece)
+         if (count == most_events) then
+            motion%is_complete = .false.
+            exit
+         end if
+         if (piece%is_taut) then
+            call leave(motion, piece, event)
+         else
+            call arrive(motion, restitution, piece, event, error)
+            if (allocated(error)) return
+         end if
+         if (.not. event%time <= duration) exit
+         count = count + 1
+         call append_event(motion%events, count, event)
+      end do
+      motion%pieces = motion%pieces(:count + 1)
+      motion%events = motion%events(:count)
+   end subroutine new_string_motion
+
+   !> The end of a taut piece: the flight that follows. The event's time is NaN if the string stays taut.
+   pure subroutine leave(motion, piece, event)
+      type(string_motion_type), intent(in) :: motion
+      type(string_piece_type), intent(inout) :: piece
+      type(string_event_type), intent(out) :: event
+      real(wp) :: after
+
+      ! 2 c1 = 3 g z; on the way up the first passage, as the tension is not negative at the start of the piece.
+      after = time_to_height(piece%orbit, 2*orbit_energy(piece%orbit)/(3*motion%gravity))
+      event%kind = event_slack
+      event%time = piece%start + after
+      if (.not. after >= 0) return
+      call locate(piece%orbit, after, event%position, piece%velocity)
+      if (.not. piece%velocity(3) > 0) then
+         ! A swing that only touches zero tension at its highest point stays taut.
+         event%time = ieee_value(after, ieee_quiet_nan)
+         return
+      end if
+      piece%position = event%position
+      piece%start = event%time
+      piece%is_taut = .false.
+   end subroutine leave
+
+   !> The end of a flight: where the bob is a length away from the pivot again, and what it does there. The distance along
+   !> p + v t - g t**2/2 is l where g**2 t**3/4 - g vz t**2 + (v**2 - g z) t + 2 p.v = 0; leaving at zero tension, v**2 = g z
+   !> and p.v = 0, that is t = 4 vz/g.
+   pure subroutine arrive(motion, restitution, piece, event, error)
+      type(string_motion_type), intent(in) :: motion
+      real(wp), intent(in) :: restitution
+      type(string_piece_type), intent(inout) :: piece
+      type(string_event_type), intent(out) :: event
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: after, radial, outward(3)
+
+      after = flight_time(motion, piece)
+      event%time = piece%start + after
+      event%position = piece%position + piece%velocity*after
+      event%position(3) = event%position(3) - motion%gravity*after**2/2
+      piece%velocity(3) = piece%velocity(3) - motion%gravity*after
+      outward = event%position/norm2(event%position)
+      event%position = motion%length*outward
+      radial = dot_product(piece%velocity, outward)
+      piece%velocity = piece%velocity - radial*outward
+      piece%position = event%position
+      piece%start = event%time
+      if (restitution*radial > rattling*sqrt(motion%gravity*motion%length)) then
+         event%kind = event_rebound
+         event%energy_lost = (1 - restitution)*(1 + restitution)*radial**2/2
+         piece%velocity = piece%velocity - restitution*radial*outward
+         return
+      end if
+      event%kind = merge(event_end_of_rattling, event_taut, restitution > 0)
+      event%energy_lost = radial**2/2
+      call new_orbit_from_state(piece%orbit, motion%length, motion%gravity, piece%position, piece%velocity, error)
+      if (allocated(error)) return
+      ! Without radial velocity the bob may still be too slow for its height: then it falls at once.
+      piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+   end subroutine arrive
+
+   !> The first time after the start of a flight at which the string is taut again.
+   pure real(wp) function flight_time(motion, piece) result(after)
+      type(string_motion_type), intent(in) :: motion
+      type(string_piece_type), intent(in) :: piece
+      real(wp) :: roots(3), inward, slack, scale_of_speed
+      integer :: count, i
+
+      associate (g => motion%gravity, v => piece%velocity)
+         inward = 2*dot_product(piece%position, v)
+         slack = dot_product(v, v) - g*piece%position(3)
+         scale_of_speed = dot_product(v, v) + g*motion%length
+         ! A flight that leaves tangentially has v.p = 0 up to the rounding of v.
+         if (abs(inward) <= 64*epsilon(g)*motion%length*sqrt(scale_of_speed)) inward = 0
+         ! A flight from zero tension has v**2 = g z up to rounding.
+         if (abs(inward) <= 0 .and. abs(slack) <= 64*epsilon(g)*scale_of_speed) slack = 0
+         call cubic_roots(g**2/4, -g*v(3), slack, inward, roots, count)
+         after = ieee_value(after, ieee_quiet_nan)
+         do i = count, 1, -1
+            if (roots(i) > 0) after = roots(i)
+         end do
+      end associate
+   end function flight_time
+
+   !> Position, velocity and tension over mass at a time within the motion.
+   pure subroutine locate_on_string(motion, time, position, velocity, tension)
+      type(string_motion_type), intent(in) :: motion
+      real(wp), intent(in) :: time              !! 0 to the duration [s]
+      real(wp), intent(out) :: position(3)      !! [m]
+      real(wp), intent(out) :: velocity(3)      !! [m/s]
+      real(wp), intent(out) :: tension          !! Per mass [m/s2]; zero in flight
+      integer :: low, high, middle
+      real(wp) :: since
+
+      low = 1
+      high = size(motion%pieces)
+      do while (low < high)
+         middle = (low + high + 1)/2
+         if (motion%pieces(middle)%start <= time) then
+            low = middle
+         else
+            high = middle - 1
+         end if
+      end do
+      associate (piece => motion%pieces(low))
+         since = time - piece%start
+         if (piece%is_taut) then
+            call locate(piece%orbit, since, position, velocity)
+            tension = rod_force(piece%orbit, since)
+         else
+            position = piece%position + piece%velocity*since
+            position(3) = position(3) - motion%gravity*since**2/2
+            velocity = piece%velocity
+            velocity(3) = velocity(3) - motion%gravity*since
+            tension = 0
+         end if
+      end associate
+   end subroutine locate_on_string
+
+   pure subroutine append_piece(pieces, place, piece)
+      type(string_piece_type), allocatable, intent(inout) :: pieces(:)
+      integer, intent(in) :: place
+      type(string_piece_type), intent(in) :: piece
+      type(string_piece_type), allocatable :: larger(:)
+
+      if (place > size(pieces)) then
+         allocate (larger(2*size(pieces)))
+         larger(:size(pieces)) = pieces
+         call move_alloc(larger, pieces)
+      end if
+      pieces(place) = piece
+   end subroutine append_piece
+
+   pure subroutine append_event(events, place, event)
+      type(string_event_type), allocatable, intent(inout) :: events(:)
+      integer, intent(in) :: place
+      type(string_event_type), intent(in) :: event
+      type(string_event_type), allocatable :: larger(:)
+
+      if (place > size(events)) then
+         allocate (larger(2*size(events)))
+         larger(:size(events)) = events
+         call move_alloc(larger, events)
+      end if
+      events(place) = event
+   end subroutine append_event
+
+end module kyvadlo_string
