@@ -68,21 +68,17 @@ contains
             if (name == '-h') name = '--help'
             equals = index(name, '=')
             if (equals > 0) name = name(:equals - 1)
-            if (arguments%command == '' .and. name == '--version') then
-               j = 0
-            else
-               j = option_index(arguments%command, name)
-               if (j == 0) then
-                  call fail(error, code_input, 'unknown option '//quoted(name)//see_help(arguments%command))
-                  return
-               end if
+            j = option_index(arguments%command, name)
+            if (j == 0) then
+               call fail(error, code_input, 'unknown option '//quoted(name)//see_help(arguments%command))
+               return
             end if
             if (option_given(arguments, name)) then
                call fail(error, code_input, 'option '//name//' given twice')
                return
             end if
             call append(arguments%names, name)
-            if (takes_no_value(j)) then
+            if (options(j)%value == '') then
                if (equals > 0) then
                   call fail(error, code_input, 'option '//name//' takes no value')
                   return
@@ -97,20 +93,11 @@ contains
                call fail(error, code_input, 'option '//name//' needs a value: '//trim(options(j)%value))
                return
             end if
-            if (j > 0) then
-               call check_word(name, arguments%values(size(arguments%values))%text, trim(options(j)%value), error)
-               if (allocated(error)) return
-            end if
+            call check_word(name, arguments%values(size(arguments%values))%text, trim(options(j)%value), error)
+            if (allocated(error)) return
          end associate
       end do
    end subroutine sort_words
-
-   logical function takes_no_value(option)
-      integer, intent(in) :: option  !! Place in `options`, or 0: `--version`
-
-      takes_no_value = .true.
-      if (option > 0) takes_no_value = options(option)%value == ''
-   end function takes_no_value
 
    logical function looks_like_option(word)
       character(len=*), intent(in) :: word
@@ -137,7 +124,8 @@ contains
 
       option_index = 0
       do i = 1, size(options)
-         if (options(i)%command /= command .and. options(i)%command /= '') cycle
+         if (options(i)%command /= command .and. options(i)%command /= '' &
+            .and. .not. (command == '' .and. options(i)%command == '-')) cycle
          if (options(i)%name == name) option_index = i
       end do
    end function option_index
@@ -205,8 +193,12 @@ contains
          end do
          call sink%put('')
          call sink%put('Options:')
-         call sink%put('  --help     print this help; kyvadlo COMMAND --help prints that of a command')
-         call sink%put('  --version  print version, compiler and licence')
+         do i = 1, size(options)
+            if (options(i)%command == '' .or. options(i)%command == '-') &
+               call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), 16)//trim(options(i)%meaning))
+         end do
+         call sink%put('')
+         call sink%put('kyvadlo COMMAND --help prints the help of a command.')
       else
          do i = 1, size(commands)
             if (commands(i)%name == command) &

@@ -12,8 +12,8 @@ module kyvadlo_commands
    end type command_type
 
    type :: option_type
-      character(len=8) :: command      !! Blank: every command
-      character(len=12) :: name        !! With its dashes
+      character(len=8) :: command      !! Blank: every command; `-`: the program itself, without a command
+      character(len=16) :: name        !! With its dashes
       character(len=24) :: value       !! Name of its value; blank: a switch. `a|b|c`: one of these words
       character(len=88) :: meaning
    end type option_type
@@ -31,13 +31,13 @@ module kyvadlo_commands
 
    type(command_type), parameter :: commands(*) = [ &
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
-      command_type('eval', '[NAME ARGUMENT...]', 'a calculator for the elliptic functions and the orbit')]
+      command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator')]
 
    type(option_type), parameter :: options(*) = [ &
       option_type('table', '--divisions', 'N', 'every quantity at the N+1 times that divide the period'), &
       option_type('table', '--data', '', 'only the constants of the motion, one line for each pendulum in csv'), &
       option_type('table', '--digits', 'N', &
-         'significant digits; without it 6, 15 or 33 by kind, in csv all that count'), &
+         'significant digits; without it 6, 14 or 32 by kind, in csv all that count'), &
       option_type('table', '--format', 'text|csv|markdown', 'layout of the output (default text)'), &
       option_type('table', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
       option_type('table', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
@@ -47,14 +47,17 @@ module kyvadlo_commands
       option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
-      option_type('', '--help', '', 'print this help')]
+      option_type('', '--help', '', 'print this help'), &
+      option_type('-', '--version', '', 'print version, compiler and licence'), &
+      option_type('-', '--manual-page', '', 'print the manual page, for man'), &
+      option_type('-', '--completion', '', 'print the completion of commands and options for bash')]
 
    type(example_type), parameter :: examples(*) = [ &
       example_type('table', 'kyvadlo table', 'five built-in pendulums'), &
       example_type('table', 'kyvadlo table laboratory.nml', 'the pendulums of a scene file'), &
       example_type('table', 'kyvadlo table laboratory.nml --divisions 360 --format csv', &
          'one period for another program'), &
-      example_type('table', 'kyvadlo table laboratory.nml --kind quad', 'with 33 digits'), &
+      example_type('table', 'kyvadlo table laboratory.nml --kind quad', 'with 32 digits'), &
       example_type('table', 'kyvadlo table --upper -0.9:0.9:19 --lower -1:0:11', &
          'T, k, phi(T), lambda T over a grid'), &
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &

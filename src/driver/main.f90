@@ -2,7 +2,8 @@
 program kyvadlo_main
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
-   use kyvadlo_standard_io, only: close_output, message, open_output, output_type, set_signals
+   use kyvadlo_help_pages, only: write_completion, write_manual_page
+   use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
    use kyvadlo_status, only: error_type
    use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
@@ -11,7 +12,7 @@ program kyvadlo_main
    integer :: exit_status
 
    call run(exit_status)
-   if (exit_status /= 0) stop exit_status, quiet=.true.
+   call end_program(exit_status)
 
 contains
 
@@ -26,12 +27,16 @@ contains
       call set_signals()
       call read_command_line(arguments, error)
       if (.not. allocated(error)) then
-         if (option_given(arguments, '--help') .or. option_given(arguments, '--version')) then
+         if (option_given(arguments, '--help') .or. arguments%command == '' .and. size(arguments%names) > 0) then
             call open_output(output, '', error)
             if (option_given(arguments, '--help')) then
                call write_help(output, arguments%command)
-            else
+            else if (option_given(arguments, '--version')) then
                call write_version(output)
+            else if (option_given(arguments, '--manual-page')) then
+               call write_manual_page(output)
+            else
+               call write_completion(output)
             end if
             call close_output(output, error)
          else

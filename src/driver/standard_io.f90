@@ -11,7 +11,7 @@ module kyvadlo_standard_io
    private
    public :: output_type, open_output, close_output, discard_output, flush_output
    public :: input_type, read_line
-   public :: is_terminal, message, set_signals
+   public :: end_program, is_terminal, message, set_signals
 
    integer, parameter :: buffer_size = 65536
    integer, parameter :: standard_output = 1
@@ -37,6 +37,10 @@ module kyvadlo_standard_io
    end type input_type
 
    interface
+      subroutine c_exit(status) bind(c, name='exit')
+         import :: c_int
+         integer(c_int), value :: status
+      end subroutine c_exit
       subroutine kyvadlo_set_signals() bind(c)
       end subroutine kyvadlo_set_signals
       function kyvadlo_read_input(buffer, size) bind(c) result(count)
@@ -85,6 +89,14 @@ contains
    subroutine set_signals()
       call kyvadlo_set_signals()
    end subroutine set_signals
+
+   !> Ends the program. (`stop` prints its code; gfortran 11 cannot be told not to.)
+   subroutine end_program(status)
+      integer, intent(in) :: status
+
+      flush (error_unit)
+      call c_exit(int(status, c_int))
+   end subroutine end_program
 
    !> Is this file descriptor (0, 1, 2) a terminal?
    logical function is_terminal(descriptor)

@@ -31,5 +31,42 @@ run --version
 expect_status 0
 expect_in_out 'kyvadlo '
 expect_in_out 'Licence: MIT'
+fails 2 'takes no value' --version=3
+
+# The manual page and the completion come from the same tables as the help.
+run --manual-page
+expect_status 0
+expect_in_out '.TH KYVADLO 1'
+expect_in_out '\fB\-\-divisions\fR \fIN\fR'
+expect_in_out '\fBpassage_azimuth\fR'
+if command -v groff >/dev/null; then
+   checks=$((checks + 1))
+   groff -man -Tascii -ww out >page 2>warnings
+   [ ! -s warnings ] || { complain 'groff must have nothing to say'; cat warnings; }
+fi
+fails 2 "unknown option '--manual-page'" eval --manual-page
+run --completion
+expect_status 0
+if command -v bash >/dev/null; then
+   cat >ask.sh <<'END'
+. ./out
+COMP_WORDS=("$@")
+COMP_CWORD=$(($# - 1))
+_kyvadlo
+echo "${COMPREPLY[*]}"
+END
+   completes() {
+      wanted=$1
+      shift
+      checks=$((checks + 1))
+      got=$(bash ask.sh "$@")
+      [ "$got" = "$wanted" ] || complain "completion of $*: $got, expected $wanted"
+   }
+   completes table kyvadlo ta
+   completes '--kind' kyvadlo eval --k
+   completes 'single double quad' kyvadlo table --kind ''
+   completes 'Pi Pic Piinc Piincc' kyvadlo eval Pi
+   completes ask.sh kyvadlo table as
+fi
 
 finish
