@@ -26,6 +26,7 @@ module kyvadlo
       azimuthal_speed, speed, locate, acceleration, rod_force
    use kyvadlo_string
    use kyvadlo_passage, only: time_to_height, time_to_rise, time_to_azimuth, next_turning_time
+   use kyvadlo_batch, only: locate_batch, locate_many
    implicit none
    public
 end module kyvadlo

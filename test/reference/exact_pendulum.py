@@ -162,7 +162,8 @@ class Orbit:
             self.K = mp.pi/2
             self.T = 2*mp.pi*l*mp.sqrt(-zc/(g*(l*l+3*zc*zc)))
             self.rate = mp.sqrt(g/-zc)
-            self.lamT = 2*mp.pi*l/mp.sqrt(l*l+3*zc*zc)-mp.pi
+            root = mp.sqrt(l*l+3*zc*zc)
+            self.lamT = 3*mp.pi*o.d1*o.h1/(root*(2*l+root))     # 2 pi l/root - pi
             self.A = (self.lamT-mp.pi)/self.T
             return
         self.conical = False
@@ -208,8 +209,11 @@ class Orbit:
                 n += 1
             self.mu = mp.pi*self.wdot/(2*self.Kp)*total
             self.lamT = self.mu*self.T+2*(self.Xs-self.X1s)
+        self.AT = self.lamT-mp.pi
+        if o.s == 0:                              # plane rotation: exactly no turning
+            self.lamT, self.AT, self.mu = +mp.pi, mpf(0), mpf(0)
         self.lam = self.lamT/self.T
-        self.A = (self.lamT-mp.pi)/self.T
+        self.A = self.AT/self.T
 
     def constants(self):
         """T k k' K q A phi(T) lambda*T"""
@@ -284,15 +288,17 @@ class Orbit:
         else:
             rate, V = mp.pi*self.wdot/(2*self.Kp), mp.pi*self.wdot*tau/(2*self.Kp)
             rho = self.mu
-            F = _turned(theta(2, self.qp, self.Xs, -V), -rate)
+            # theta_2(X* - iV) = theta_1(X + iV): without rounding where X = 0 (plane rotation)
+            F = _turned(theta(1, self.qp, self.X, V), rate) if self.X < self.Xs else _turned(theta(2, self.qp, self.Xs, -V), -rate)
             P = _turned(theta(4, self.qp, self.X1s, V), rate)
             D = _turned(theta(3, self.qp, mpf(0), V), rate)
             plus = o.d1*theta(3, self.qp, mpf(0), mpf(0))[0]**2/theta(4, self.qp, self.X1s, mpf(0))[0]**2
             minus = o.h2*theta(2, self.qp, mpf(0), mpf(0))[0]**2/theta(3, self.qp, self.Xs, mpf(0))[0]**2
         d, dd = D[0], D[2]
         f, df, p, dp = mpc(F[0], F[1]), mpc(F[2], F[3]), mpc(P[0], P[1]), mpc(P[2], P[3])
-        angle = rho*tau+n*self.lamT
-        turn = mp.sqrt(plus*minus)*mpc(mp.cos(angle), mp.sin(angle))*(-1 if int(n) % 2 else 1)
+        rotating = self.b < self.bs
+        angle = rho*tau+n*(self.AT if rotating else self.lamT)
+        turn = mp.sqrt(plus*minus)*mpc(mp.cos(angle), mp.sin(angle))*(-1 if int(n) % 2 and not rotating else 1)
         product = f*p
         u = turn*product/d**2
         du = turn*(mpc(0, rho)*product+df*p+f*dp-2*product*dd/d)/d**2
@@ -387,7 +393,7 @@ class Motion:
         self.turn = R/abs(R)
 
     def state(self, t):
-        if self.rest:
+        if self.rest or t == 0:
             return self.start
         if self.separatrix:
             l, w = self.l, mp.sqrt(self.g/self.l)

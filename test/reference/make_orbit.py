@@ -68,8 +68,9 @@ def evaluated(function, arguments, digits):
 
 
 def row(name, bits, function, arguments, digits=150, varied=None, zero_condition=False):
-    if bits == 128:
-        digits = max(digits, 1300)    # gaps of 1e-541 beside 1: with fewer both evaluations could agree on 0
+    # with fewer digits than two gaps are apart, both evaluations could agree on 0
+    apart = [abs(mp.log10(abs(a/arguments[0]))) for a in arguments[2:4] if a != 0]
+    digits = 50*int((digits+2*max(apart, default=0))/50+1)
     while True:
         try:
             results = evaluated(function, arguments, digits)

@@ -1,0 +1,51 @@
+!> What the batch kernels read of an orbit: the closed form of PAPER section 5 as polynomials, in real64.
+module kyvadlo_batch_constants
+   use, intrinsic :: iso_fortran_env, only: real64, int64
+   implicit none
+   public
+
+   !> Points are evaluated in blocks of this size, each by itself: the outcome for a time does not depend on its neighbours.
+   integer, parameter :: block_size = 256
+   !> The kernels work on whole groups; the last block is filled up with zeros to one.
+   integer, parameter :: group_size = 16
+   !> Half periods a kernel counts: the first parts of T/2 and of the turn have 53 - 32 bits, so that their products with the
+   !> count are exact.
+   real(real64), parameter :: most_halves = 2.0_real64**31
+   integer, parameter :: part_bits = 21
+
+   integer, parameter :: form_scalar = 0       !! No closed form in polynomials: separatrix, rest, no orbit
+   integer, parameter :: form_direct_even = 1  !! Nome q, F in even multiples ("lib" of section 5)
+   integer, parameter :: form_direct_odd = 2   !! Nome q, F in odd multiples ("rot")
+   integer, parameter :: form_dual = 3         !! Nome q', bottom and top
+
+   !> With u = cos 2v (cosh 2V in the dual form) and c, s the cosine and sine of v (V), s2 = 2 s c, coefficients of u**0 ... u**3:
+   !> an odd function is c*cosine(u) + i s*sine(u), an even one cosine(u) + i s2*sine(u).
+   type :: wave_type
+      real(real64) :: cosine(0:3) = 0        !! Even part
+      real(real64) :: sine(0:3) = 0          !! Odd part
+      real(real64) :: cosine_slope(0:3) = 0  !! Derivative of the even part: times s, or s2
+      real(real64) :: sine_slope(0:3) = 0    !! Derivative of the odd part: times c, or 1
+   end type wave_type
+
+   !> Constants of one orbit.
+   type :: batch_type
+      integer :: form = form_scalar
+      real(real64) :: limit = -1         !! Largest |t| the kernels take [s]
+      real(real64) :: start(2) = 0       !! Time since an upper turning point at t = 0, two parts [s]
+      real(real64) :: per_half = 0       !! 2/T
+      real(real64) :: half(3) = 0        !! T/2 in three parts
+      real(real64) :: advance(3) = 0     !! lambda T/pi, or A T/pi, in three parts: quarter turns in half a period
+      real(real64) :: turn = 0           !! rho T/pi: quarter turns of the frame in half a period
+      real(real64) :: start_angle = 0    !! Start azimuth in quarter turns
+      integer(int64) :: half_turns = 0   !! All bits set: the frame makes two, else one quarter turn in half a period
+      integer(int64) :: top_turns = 1    !! Quarter turns added where a direct form is evaluated for a top passage
+      real(real64) :: stretch = 0        !! V per half period (dual)
+      real(real64) :: diameter = 0       !! 2 l [m]
+      real(real64) :: mirror = 1         !! -1: momentum negative
+      real(real64) :: rate = 0           !! dv/dt or dV/dt [1/s]
+      real(real64) :: turn_rate = 0      !! rho [1/s]
+      !> P and F of section 5, up to a common factor: at the bottom P is `odd` and F `even` ("even" only in name for
+      !> `form_direct_odd`); in the dual form at the top F is `top_odd` and P `top_even`.
+      type(wave_type) :: odd, even, top_odd, top_even
+   end type batch_type
+end module kyvadlo_batch_constants

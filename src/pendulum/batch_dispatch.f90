@@ -1,0 +1,76 @@
+!> Chooses at run time among the batch kernels compiled for several levels of the processor.
+module kyvadlo_batch_dispatch
+   use, intrinsic :: iso_fortran_env, only: real64
+   use, intrinsic :: iso_c_binding, only: c_int
+   use kyvadlo_batch_constants
+   use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
+      beyond_baseline => any_beyond
+   use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, beyond_v3 => any_beyond
+   use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, beyond_v4 => any_beyond
+   implicit none
+   private
+   public :: vector_level, place_groups, place_groups_rates, any_time_beyond
+
+   interface
+      pure integer(c_int) function processor_level() bind(c, name='kyvadlo_vector_level')
+         import :: c_int
+      end function processor_level
+   end interface
+
+contains
+
+   !> The level of the kernels to use: what the processor has, or less if less is wanted. 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
+   pure integer function vector_level(wanted) result(level)
+      integer, intent(in), optional :: wanted
+
+      level = processor_level()
+      if (present(wanted)) level = max(0, min(level, wanted))
+   end function vector_level
+
+   pure subroutine place_groups(level, b, groups, time, x, y, z)
+      integer, intent(in) :: level, groups
+      type(batch_type), intent(in) :: b
+      real(real64), intent(in) :: time(group_size*groups)
+      real(real64), intent(out), dimension(group_size*groups) :: x, y, z
+
+      select case (level)
+      case (2)
+         call place_v4(b, groups, time, x, y, z)
+      case (1)
+         call place_v3(b, groups, time, x, y, z)
+      case default
+         call place_baseline(b, groups, time, x, y, z)
+      end select
+   end subroutine place_groups
+
+   pure subroutine place_groups_rates(level, b, groups, time, x, y, z, vx, vy, vz)
+      integer, intent(in) :: level, groups
+      type(batch_type), intent(in) :: b
+      real(real64), intent(in) :: time(group_size*groups)
+      real(real64), intent(out), dimension(group_size*groups) :: x, y, z, vx, vy, vz
+
+      select case (level)
+      case (2)
+         call rates_v4(b, groups, time, x, y, z, vx, vy, vz)
+      case (1)
+         call rates_v3(b, groups, time, x, y, z, vx, vy, vz)
+      case default
+         call rates_baseline(b, groups, time, x, y, z, vx, vy, vz)
+      end select
+   end subroutine place_groups_rates
+
+   !> Whether a time is NaN or beyond what the kernels reduce.
+   pure logical function any_time_beyond(level, n, time, limit)
+      integer, intent(in) :: level, n
+      real(real64), intent(in) :: time(n), limit
+
+      select case (level)
+      case (2)
+         any_time_beyond = beyond_v4(n, time, limit)
+      case (1)
+         any_time_beyond = beyond_v3(n, time, limit)
+      case default
+         any_time_beyond = beyond_baseline(n, time, limit)
+      end select
+   end function any_time_beyond
+end module kyvadlo_batch_dispatch
