@@ -1,0 +1,133 @@
+/* kyvadlo: the spherical pendulum in closed form, and the elliptic functions it needs. C99 and C++.
+
+   All in double precision and SI units. Every function is thread-safe: an orbit is a plain struct that the caller owns, set up once
+   and read afterwards; nothing is allocated, nothing need be freed. Conventions: parameter m = k*k, complementary parameter
+   mc = 1 - m (names ending in c), characteristic n in 1 - n sin^2. Outside its domain a function returns NaN, at a pole
+   an infinity. See doc/elliptic.md and doc/c_interface.md. */
+#ifndef KYVADLO_H
+#define KYVADLO_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Elliptic functions ------------------------------------------------------------------------------------------ */
+
+double kyvadlo_elliptic_k(double m); /* K(m), m <= 1 */
+double kyvadlo_elliptic_kc(double mc); /* K from mc = 1 - m >= 0 */
+double kyvadlo_elliptic_e(double m); /* E(m) */
+double kyvadlo_elliptic_ec(double mc); /* E from mc */
+double kyvadlo_elliptic_d(double m); /* D(m) = (K - E)/m */
+double kyvadlo_elliptic_dc(double mc); /* D from mc */
+double kyvadlo_elliptic_b(double m); /* B(m) = K - D */
+double kyvadlo_elliptic_bc(double mc); /* B from mc */
+double kyvadlo_elliptic_nome(double m); /* q(m) = exp(-pi K'/K) */
+double kyvadlo_elliptic_nomec(double mc); /* q from mc */
+
+double kyvadlo_carlson_rc(double x, double y); /* R_C(x, y); y < 0: principal value */
+double kyvadlo_elliptic_pi(double n, double m); /* complete Pi(n, m); n > 1: principal value */
+double kyvadlo_elliptic_pic(double n, double mc); /* the same from mc */
+double kyvadlo_elliptic_f(double phi, double m); /* F(phi, m), any real phi */
+double kyvadlo_elliptic_fc(double phi, double mc); /* the same from mc */
+double kyvadlo_elliptic_einc(double phi, double m); /* E(phi, m) */
+double kyvadlo_elliptic_eincc(double phi, double mc); /* the same from mc */
+double kyvadlo_elliptic_dinc(double phi, double m); /* D(phi, m) */
+double kyvadlo_elliptic_dincc(double phi, double mc); /* the same from mc */
+double kyvadlo_elliptic_binc(double phi, double m); /* B(phi, m) */
+double kyvadlo_elliptic_bincc(double phi, double mc); /* the same from mc */
+double kyvadlo_jacobi_zeta(double u, double m); /* Z(u, m) = E(am u) - u E/K */
+double kyvadlo_jacobi_zetac(double u, double mc); /* the same from mc */
+double kyvadlo_heuman_lambda(double phi, double m); /* Heuman's lambda0(phi, m) */
+double kyvadlo_heuman_lambdac(double phi, double mc); /* the same from mc */
+
+double kyvadlo_carlson_rf(double x, double y, double z); /* R_F(x, y, z) */
+double kyvadlo_carlson_rd(double x, double y, double z); /* R_D(x, y, z) */
+double kyvadlo_carlson_rg(double x, double y, double z); /* R_G(x, y, z) */
+double kyvadlo_elliptic_piinc(double n, double phi, double m); /* Pi(n; phi, m) */
+double kyvadlo_elliptic_piincc(double n, double phi, double mc); /* the same from mc */
+double kyvadlo_carlson_rj(double x, double y, double z, double p); /* R_J(x, y, z, p); p < 0: principal value */
+
+/* sn, cn, dn and the amplitude am of u, for the parameter m or its complement. */
+void kyvadlo_sncndn(double u, double m, double *sn, double *cn, double *dn, double *am);
+void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, double *am);
+
+/* ---- Orbits ------------------------------------------------------------------------------------------------------- */
+
+#define KYVADLO_ORBIT_SIZE 192
+
+/* An orbit. Its contents belong to the version of the library that made it. */
+typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
+
+/* Codes of the functions that set up an orbit. */
+enum {
+  KYVADLO_OK = 0,     /* the orbit is set up */
+  KYVADLO_DOMAIN = 1  /* a value breaks a rule; the message names it */
+};
+
+/* Set-up from length l and gravity g > 0 and two numbers. Returns a code; on failure `message` (of `capacity` bytes, may be 0)
+   says which rule is broken by which values, and every result from the orbit is NaN. */
+/* The turning heights z1 >= z2 above the pivot [m]; z1 + z2 < 0. */
+int kyvadlo_orbit_from_heights(double length, double gravity, double upper, double lower,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* The distances l - z1 and l + z2 to the highest and the lowest point [m]; bottom_gap < top_gap. */
+int kyvadlo_orbit_from_gaps(double length, double gravity, double top_gap, double bottom_gap,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* The rises l + z1 >= l + z2 above the lowest point [m]: the input for small swings. */
+int kyvadlo_orbit_from_rises(double length, double gravity, double upper_rise, double lower_rise,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* Energy c1 (0 at rest at the height of the pivot) [m2/s2] and angular momentum c2 [m2/s] per mass. */
+int kyvadlo_orbit_from_energy(double length, double gravity, double energy, double momentum,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* c1 - g l [m2/s2] and c2 [m2/s]. */
+int kyvadlo_orbit_from_energy_above_top(double length, double gravity, double energy_above_top, double momentum,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* c1 + g l [m2/s2] and c2 [m2/s]. */
+int kyvadlo_orbit_from_energy_above_bottom(double length, double gravity, double energy_above_bottom, double momentum,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* Angle from the downward vertical [degrees], horizontal speed across [m/s]. */
+int kyvadlo_orbit_from_release(double length, double gravity, double angle, double speed,
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+/* From a position on the sphere and a tangential velocity (x, y, z; z upwards) at t = 0. */
+int kyvadlo_orbit_from_state(double length, double gravity, const double position[3], const double velocity[3],
+   kyvadlo_orbit *orbit, char *message, size_t capacity);
+
+/* What does not change along an orbit. */
+double kyvadlo_height_period(const kyvadlo_orbit *orbit); /* T, from one highest point to the next [s] */
+double kyvadlo_modulus(const kyvadlo_orbit *orbit); /* k */
+double kyvadlo_complementary_modulus(const kyvadlo_orbit *orbit); /* k' */
+double kyvadlo_quarter_period(const kyvadlo_orbit *orbit); /* K(k) */
+double kyvadlo_nome(const kyvadlo_orbit *orbit); /* q */
+double kyvadlo_phase_rate(const kyvadlo_orbit *orbit); /* dw/dt = 2K/T [1/s] */
+double kyvadlo_azimuth_rate(const kyvadlo_orbit *orbit); /* A [1/s] */
+double kyvadlo_azimuth_per_period(const kyvadlo_orbit *orbit); /* phi(T) [rad] */
+double kyvadlo_apsidal_advance(const kyvadlo_orbit *orbit); /* lambda T = phi(T) - pi [rad] */
+double kyvadlo_apsidal_angle(const kyvadlo_orbit *orbit); /* phi(T)/2 [rad] */
+double kyvadlo_orbit_energy(const kyvadlo_orbit *orbit); /* c1 [m2/s2] */
+double kyvadlo_orbit_momentum(const kyvadlo_orbit *orbit); /* c2 [m2/s] */
+/* z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l [m]. */
+void kyvadlo_turning(const kyvadlo_orbit *orbit, double values[8]);
+
+/* The motion at a time t [s], counted from an upper turning point, or from the start of a state or a release. */
+double kyvadlo_height(const kyvadlo_orbit *orbit, double t); /* z [m] */
+double kyvadlo_rise(const kyvadlo_orbit *orbit, double t); /* l + z [m] */
+double kyvadlo_top_clearance(const kyvadlo_orbit *orbit, double t); /* l - z [m] */
+double kyvadlo_azimuth(const kyvadlo_orbit *orbit, double t); /* phi, continuous [rad] */
+double kyvadlo_vertical_speed(const kyvadlo_orbit *orbit, double t); /* dz/dt [m/s] */
+double kyvadlo_azimuthal_speed(const kyvadlo_orbit *orbit, double t); /* dphi/dt [1/s] */
+double kyvadlo_speed(const kyvadlo_orbit *orbit, double t); /* [m/s] */
+double kyvadlo_rod_force(const kyvadlo_orbit *orbit, double t); /* tension over mass [m/s2] */
+double kyvadlo_time_to_height(const kyvadlo_orbit *orbit, double z); /* first t >= 0 at the height z [s] */
+double kyvadlo_time_to_rise(const kyvadlo_orbit *orbit, double rise); /* first t >= 0 at the rise l + z [s] */
+double kyvadlo_time_to_azimuth(const kyvadlo_orbit *orbit, double phi); /* first t >= 0 at the azimuth phi [s] */
+double kyvadlo_next_turning_time(const kyvadlo_orbit *orbit, double t); /* first turning point later than t [s] */
+/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]). */
+void kyvadlo_locate(const kyvadlo_orbit *orbit, double t, double position[3], double velocity[3]);
+void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions, double *velocities);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

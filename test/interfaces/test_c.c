@@ -1,0 +1,70 @@
+/* The C interface against values of kyvadlo's own driver-independent laws: energy, Legendre's relation, codes, messages. */
+#include <kyvadlo.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int failures = 0, passes = 0;
+
+static void check(int condition, const char *what)
+{
+  if (condition) {
+    ++passes;
+  } else {
+    ++failures;
+    printf("FAIL %s\n", what);
+  }
+}
+
+static int near(double a, double b, double tolerance)
+{
+  return fabs(a - b) <= tolerance;
+}
+
+int main(void)
+{
+  const double pi = 3.14159265358979323846, g = 9.80665;
+  char message[200] = "x", tiny[4];
+  kyvadlo_orbit orbit;
+  double sn, cn, dn, am, values[8], p[3], v[3], many[6], rates[6], times[2] = {0.3, 1.7};
+
+  /* DLMF 19.7.1, Legendre's relation, and sn**2 + cn**2 = 1: they miss no factor together with K(0). */
+  check(near(kyvadlo_elliptic_k(0), pi/2, 1e-15), "K(0)");
+  check(near(kyvadlo_elliptic_e(0.3)*kyvadlo_elliptic_kc(0.3) + kyvadlo_elliptic_ec(0.3)*kyvadlo_elliptic_k(0.3)
+             - kyvadlo_elliptic_k(0.3)*kyvadlo_elliptic_kc(0.3), pi/2, 1e-14), "Legendre's relation");
+  kyvadlo_sncndn(0.7, 0.4, &sn, &cn, &dn, &am);
+  check(near(sn*sn + cn*cn, 1, 1e-15) && near(dn*dn + 0.4*sn*sn, 1, 1e-15), "sn, cn, dn");
+  check(near(kyvadlo_elliptic_f(am, 0.4), 0.7, 1e-15), "F inverts am");
+  check(near(kyvadlo_carlson_rf(1, 1, 1), 1, 1e-15) && near(kyvadlo_carlson_rj(1, 1, 1, 1), 1, 1e-15)
+        && near(kyvadlo_carlson_rd(4, 4, 4), 0.125, 1e-15) && near(kyvadlo_carlson_rc(4, 4), 0.5, 1e-15)
+        && near(kyvadlo_carlson_rg(4, 4, 4), 2, 1e-15), "Carlson at equal arguments");
+  check(isnan(kyvadlo_elliptic_k(2)) && isinf(kyvadlo_elliptic_k(1)), "K beyond and at its pole");
+  check(near(kyvadlo_elliptic_piinc(0, 0.5, 0.2), kyvadlo_elliptic_f(0.5, 0.2), 1e-15), "Pi at n = 0");
+
+  check(sizeof(kyvadlo_orbit) == KYVADLO_ORBIT_SIZE*sizeof(double), "size of an orbit");
+  check(kyvadlo_orbit_from_heights(1, g, 0.3, -0.8, &orbit, message, sizeof message) == KYVADLO_OK, "set-up");
+  check(message[0] == 0, "no message");
+  kyvadlo_turning(&orbit, values);
+  check(near(values[0], -0.8, 0) && near(values[1], 0.3, 0) && near(values[2], 1.52, 1e-15), "turning heights");
+  kyvadlo_locate(&orbit, 1.7, p, v);
+  check(near(p[0]*p[0] + p[1]*p[1] + p[2]*p[2], 1, 1e-14), "on the sphere");
+  check(near((v[0]*v[0] + v[1]*v[1] + v[2]*v[2])/2 + g*p[2], kyvadlo_orbit_energy(&orbit), 1e-13), "energy");
+  check(near(p[0]*v[1] - p[1]*v[0], kyvadlo_orbit_momentum(&orbit), 1e-13), "momentum");
+  check(near(kyvadlo_height(&orbit, kyvadlo_height_period(&orbit)/2), -0.8, 1e-14), "half a period");
+  check(near(kyvadlo_height(&orbit, kyvadlo_time_to_height(&orbit, 0.1)), 0.1, 1e-14), "passage");
+  kyvadlo_locate_many(&orbit, 2, times, many, rates);
+  check(memcmp(many + 3, p, sizeof p) == 0 && memcmp(rates + 3, v, sizeof v) == 0, "many times");
+
+  check(kyvadlo_orbit_from_state(1, g, p, v, &orbit, message, sizeof message) == KYVADLO_OK, "state");
+  kyvadlo_locate(&orbit, 0, many, rates);
+  check(near(many[0], p[0], 4e-16) && near(many[2], p[2], 4e-16) && near(rates[1], v[1], 4e-15), "the start comes back");
+
+  check(kyvadlo_orbit_from_heights(1, g, -0.8, 0.3, &orbit, message, sizeof message) == KYVADLO_DOMAIN, "refusal");
+  check(strstr(message, "z_upper") != NULL && isnan(kyvadlo_height_period(&orbit)), "message and NaN");
+  check(kyvadlo_orbit_from_heights(-1, g, -0.8, 0.3, &orbit, tiny, sizeof tiny) == KYVADLO_DOMAIN && strlen(tiny) == 3,
+        "a message that is too long for its buffer");
+  check(kyvadlo_orbit_from_heights(-1, g, -0.8, 0.3, &orbit, NULL, 0) == KYVADLO_DOMAIN, "no buffer at all");
+
+  printf("%d passed, %d failed\n", passes, failures);
+  return failures != 0;
+}
