@@ -1,25 +1,29 @@
 !> What a table shows of an orbit at one part of its period, by the closed form of its motion, in three kinds.
+!>
+!> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64.
 #define orbit_type orbit_type_real32
 #define moment_type moment_type_real32
 module kyvadlo_moment_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
 #include "moment.inc"
 end module kyvadlo_moment_real32
 #undef orbit_type
 #undef moment_type
 
 module kyvadlo_moment_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
 #include "moment.inc"
 end module kyvadlo_moment_real64
 
 #define orbit_type orbit_type_real128
+#define pair_type pair_type_real128
 #define moment_type moment_type_real128
 module kyvadlo_moment_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
 #include "moment.inc"
 end module kyvadlo_moment_real128
 #undef orbit_type
+#undef pair_type
 #undef moment_type
 
 module kyvadlo_moment
