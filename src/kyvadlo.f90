@@ -21,7 +21,8 @@ module kyvadlo
       new_orbit_from_energy, new_orbit_from_energy_above_top, new_orbit_from_energy_above_bottom, from_upper_turning
    use kyvadlo_state
    use kyvadlo_motion, only: height_period, modulus, complementary_modulus, quarter_period, nome, phase_rate, &
-      azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, orbit_energy, orbit_momentum, &
+      azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, apsidal_rate, &
+      orbit_energy, orbit_momentum, &
       polar_angle_terms, height, rise, top_clearance, phase, periodic_azimuth, azimuth, vertical_speed, &
       azimuthal_speed, speed, locate, acceleration, rod_force
    use kyvadlo_string

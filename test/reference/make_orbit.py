@@ -350,7 +350,9 @@ def write_motion(what, kind_of_input):
     lines = []
     for bits in (64, 32, 128):
         for name in names:
-            orbits = 2 if bits == 64 else 1
+            # 20 orbits, 300 rows of positions, for each regime: shared by the inputs that have it
+            inputs_with_it = sum(name in names_of for names_of, _, _ in INPUTS.values())
+            orbits = 1 if bits != 64 else 2 if what == 'azimuth' else -(-20//inputs_with_it)
             for _ in range(orbits):
                 arguments = sampled(kind_of_input, pick, bits, name)
                 with mp.workdps(60 if bits < 128 else 80):
