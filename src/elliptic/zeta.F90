@@ -2,6 +2,8 @@
 module kyvadlo_zeta_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_carlson, only: carlson_rf
+   use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "zeta.inc"
@@ -10,6 +12,8 @@ end module kyvadlo_zeta_real32
 module kyvadlo_zeta_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_carlson, only: carlson_rf
+   use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "zeta.inc"
@@ -18,6 +22,8 @@ end module kyvadlo_zeta_real64
 module kyvadlo_zeta_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_carlson, only: carlson_rf
+   use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "zeta.inc"
