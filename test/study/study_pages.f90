@@ -12,7 +12,7 @@ contains
    subroutine write_machine(command)
       character(len=*), intent(in) :: command
 
-      write (output_unit, '(a)') 'This page is printed by', '', '```sh', command, '```', '', &
+      write (output_unit, '(a)') 'Printed by', '', '```sh', command, '```', '', &
          'Here: kyvadlo '//version//', '//compiler//', `'//trim(adjustl(compiler_flags))//'`, '//processor()//'.', ''
    end subroutine write_machine
 
