@@ -1,13 +1,13 @@
 !> Places and velocities at many times of one orbit.
 !>
-!> `batch.inc` holds the public procedures, `batch_set_up.inc` the constants of the kernels, `batch_loop.inc` the kernels.
+!> `batch.inc` holds the public procedures, `batch_block.inc` what happens to a block, `batch_loop.inc` the kernels.
 module kyvadlo_batch_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real64, int64
    use kyvadlo_orbit_real32
    use kyvadlo_motion_real32
 #define orbit_type orbit_type_real32
 #include "batch.inc"
-#include "batch_set_up.inc"
+#include "batch_block.inc"
 #undef orbit_type
 end module kyvadlo_batch_real32
 
@@ -17,7 +17,7 @@ module kyvadlo_batch_real64
    use kyvadlo_motion_real64
 #define kernel_takes_arguments
 #include "batch.inc"
-#include "batch_set_up.inc"
+#include "batch_block.inc"
 #undef kernel_takes_arguments
 end module kyvadlo_batch_real64
 
@@ -29,12 +29,28 @@ module kyvadlo_batch_real128
 #define orbit_type orbit_type_real128
 #include "batch.inc"
 
-   pure subroutine set_up_batch(orbit, b)
+   !> Up to `block_size` points.
+   pure subroutine place_block(orbit, level, n, time, x, y, z, vx, vy, vz)
       type(orbit_type), intent(in) :: orbit
-      type(batch_type), intent(out) :: b
+      integer, intent(in) :: level, n  !! The level is that of the real64 kernels: nothing to choose here
+      real(wp), intent(in) :: time(n)
+      real(wp), intent(out), dimension(n) :: x, y, z
+      real(wp), intent(out), dimension(n), optional :: vx, vy, vz
+      real(wp) :: position(3), velocity(3)
+      integer :: i
 
-      if (orbit%motion /= motion_none) b%form = form_scalar
-   end subroutine set_up_batch
+      if (level < 0) return
+      do i = 1, n
+         call locate(orbit, time(i), position, velocity)
+         x(i) = position(1)
+         y(i) = position(2)
+         z(i) = position(3)
+         if (.not. present(vx)) cycle
+         vx(i) = velocity(1)
+         vy(i) = velocity(2)
+         vz(i) = velocity(3)
+      end do
+   end subroutine place_block
 #undef orbit_type
 end module kyvadlo_batch_real128
 

@@ -1,4 +1,4 @@
-!> What the batch kernels read of an orbit: the closed form of PAPER section 5 as polynomials, in real64.
+!> What the kernels of the place read of an orbit: the closed form of PAPER section 5 as polynomials, in real64.
 module kyvadlo_batch_constants
    use, intrinsic :: iso_fortran_env, only: real64, int64
    implicit none
@@ -27,25 +27,28 @@ module kyvadlo_batch_constants
       real(real64) :: sine_slope(0:3) = 0    !! Derivative of the odd part: times c, or 1
    end type wave_type
 
-   !> Constants of one orbit.
+   !> Constants of one orbit, but for its start.
    type :: batch_type
       integer :: form = form_scalar
-      real(real64) :: limit = -1         !! Largest |t| the kernels take [s]
-      real(real64) :: start(2) = 0       !! Time since an upper turning point at t = 0, two parts [s]
       real(real64) :: per_half = 0       !! 2/T
       real(real64) :: half(3) = 0        !! T/2 in three parts
       real(real64) :: advance(3) = 0     !! lambda T/pi, or A T/pi, in three parts: quarter turns in half a period
       real(real64) :: turn = 0           !! rho T/pi: quarter turns of the frame in half a period
-      real(real64) :: start_angle = 0    !! Start azimuth in quarter turns
       integer(int64) :: half_turns = 0   !! All bits set: the frame makes two, else one quarter turn in half a period
       integer(int64) :: top_turns = 1    !! Quarter turns added where a direct form is evaluated for a top passage
       real(real64) :: stretch = 0        !! V per half period (dual)
       real(real64) :: diameter = 0       !! 2 l [m]
-      real(real64) :: mirror = 1         !! -1: momentum negative
       real(real64) :: rate = 0           !! dv/dt or dV/dt [1/s]
       real(real64) :: turn_rate = 0      !! rho [1/s]
-      !> P and F of section 5, up to a common factor: at the bottom P is `odd` and F `even` ("even" only in name for
-      !> `form_direct_odd`); in the dual form at the top F is `top_odd` and P `top_even`.
-      type(wave_type) :: odd, even, top_odd, top_even
+      !> P and F of section 5, up to a common factor, by passage: 1 bottom, 0 top (dual form only). At the bottom P is `odd` and
+      !> F `even` ("even" only in name for `form_direct_odd`), at the top F is `odd` and P `even`.
+      type(wave_type) :: odd(0:1), even(0:1)
    end type batch_type
+
+   !> Where an orbit starts.
+   type :: start_type
+      real(real64) :: time(2) = 0        !! Time since an upper turning point at t = 0, two parts [s]
+      real(real64) :: angle = 0          !! Start azimuth in quarter turns
+      real(real64) :: mirror = 1         !! -1: momentum negative
+   end type start_type
 end module kyvadlo_batch_constants

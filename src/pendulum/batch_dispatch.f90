@@ -27,35 +27,37 @@ contains
       if (present(wanted)) level = max(0, min(level, wanted))
    end function vector_level
 
-   pure subroutine place_groups(level, b, groups, time, x, y, z)
+   pure subroutine place_groups(level, b, start, groups, time, x, y, z)
       integer, intent(in) :: level, groups
       type(batch_type), intent(in) :: b
+      type(start_type), intent(in) :: start
       real(real64), intent(in) :: time(group_size*groups)
       real(real64), intent(out), dimension(group_size*groups) :: x, y, z
 
       select case (level)
       case (2)
-         call place_v4(b, groups, time, x, y, z)
+         call place_v4(b, start, groups, time, x, y, z)
       case (1)
-         call place_v3(b, groups, time, x, y, z)
+         call place_v3(b, start, groups, time, x, y, z)
       case default
-         call place_baseline(b, groups, time, x, y, z)
+         call place_baseline(b, start, groups, time, x, y, z)
       end select
    end subroutine place_groups
 
-   pure subroutine place_groups_rates(level, b, groups, time, x, y, z, vx, vy, vz)
+   pure subroutine place_groups_rates(level, b, start, groups, time, x, y, z, vx, vy, vz)
       integer, intent(in) :: level, groups
       type(batch_type), intent(in) :: b
+      type(start_type), intent(in) :: start
       real(real64), intent(in) :: time(group_size*groups)
       real(real64), intent(out), dimension(group_size*groups) :: x, y, z, vx, vy, vz
 
       select case (level)
       case (2)
-         call rates_v4(b, groups, time, x, y, z, vx, vy, vz)
+         call rates_v4(b, start, groups, time, x, y, z, vx, vy, vz)
       case (1)
-         call rates_v3(b, groups, time, x, y, z, vx, vy, vz)
+         call rates_v3(b, start, groups, time, x, y, z, vx, vy, vz)
       case default
-         call rates_baseline(b, groups, time, x, y, z, vx, vy, vz)
+         call rates_baseline(b, start, groups, time, x, y, z, vx, vy, vz)
       end select
    end subroutine place_groups_rates
 

@@ -6,6 +6,8 @@
 module kyvadlo_motion_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
    use kyvadlo_orbit_real32
+   use kyvadlo_batch_kernel_single
+#define has_kernel
 #define orbit_type orbit_type_real32
 #define harmonics_type harmonics_type_real32
 #include "motion.inc"
@@ -17,8 +19,10 @@ end module kyvadlo_motion_real32
 module kyvadlo_motion_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
    use kyvadlo_orbit_real64
+   use kyvadlo_batch_kernel_single
 #include "motion.inc"
 #include "motion_place.inc"
+#undef has_kernel
 end module kyvadlo_motion_real64
 
 module kyvadlo_motion_real128

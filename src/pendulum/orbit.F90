@@ -31,8 +31,10 @@ module kyvadlo_orbit_real32
 #define turning_type turning_type_real32
 #define harmonics_type harmonics_type_real32
 #define highest_harmonic 2
+#define has_kernel
 #include "orbit.inc"
 #include "orbit_series.inc"
+#include "orbit_kernel.inc"
 #undef gaps_type
 #undef orbit_type
 #undef turning_type
@@ -47,6 +49,8 @@ module kyvadlo_orbit_real64
 #define highest_harmonic 3
 #include "orbit.inc"
 #include "orbit_series.inc"
+#include "orbit_kernel.inc"
+#undef has_kernel
 #undef highest_harmonic
 end module kyvadlo_orbit_real64
 
