@@ -39,9 +39,9 @@ module kyvadlo_c_orbits
    public :: kyvadlo_time_to_azimuth
    public :: kyvadlo_next_turning_time
 
-   !> Doubles in the struct; KYVADLO_ORBIT_SIZE in kyvadlo.h. An orbit takes 137; the checks of array bounds in the debug and
+   !> Doubles in the struct; KYVADLO_ORBIT_SIZE in kyvadlo.h. An orbit takes 216; the checks of array bounds in the debug and
    !> sanitize builds would find one that outgrows it.
-   integer, parameter :: orbit_size = 192
+   integer, parameter :: orbit_size = 288
 
    type, bind(c), public :: c_orbit_type
       real(c_double) :: hidden(orbit_size)

@@ -55,7 +55,7 @@ void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, do
 
 /* ---- Orbits ------------------------------------------------------------------------------------------------------- */
 
-#define KYVADLO_ORBIT_SIZE 192
+#define KYVADLO_ORBIT_SIZE 288
 
 /* An orbit. Its contents belong to the version of the library that made it. */
 typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
