@@ -49,103 +49,33 @@ module kyvadlo_c_orbits
 
 contains
 
-   function kyvadlo_orbit_from_heights(length, gravity, upper, lower, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, upper, lower
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
+#define c_name kyvadlo_orbit_from_heights
+#define f_name new_orbit_from_heights
+#include "c_set_up.inc"
 
-      call new_orbit_from_heights(made, length, gravity, upper, lower, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_heights
+#define c_name kyvadlo_orbit_from_gaps
+#define f_name new_orbit_from_gaps
+#include "c_set_up.inc"
 
-   function kyvadlo_orbit_from_gaps(length, gravity, top_gap, bottom_gap, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, top_gap, bottom_gap
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
+#define c_name kyvadlo_orbit_from_rises
+#define f_name new_orbit_from_rises
+#include "c_set_up.inc"
 
-      call new_orbit_from_gaps(made, length, gravity, top_gap, bottom_gap, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_gaps
+#define c_name kyvadlo_orbit_from_energy
+#define f_name new_orbit_from_energy
+#include "c_set_up.inc"
 
-   function kyvadlo_orbit_from_rises(length, gravity, upper_rise, lower_rise, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, upper_rise, lower_rise
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
+#define c_name kyvadlo_orbit_from_energy_above_top
+#define f_name new_orbit_from_energy_above_top
+#include "c_set_up.inc"
 
-      call new_orbit_from_rises(made, length, gravity, upper_rise, lower_rise, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_rises
+#define c_name kyvadlo_orbit_from_energy_above_bottom
+#define f_name new_orbit_from_energy_above_bottom
+#include "c_set_up.inc"
 
-   function kyvadlo_orbit_from_energy(length, gravity, energy, momentum, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, energy, momentum
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
-
-      call new_orbit_from_energy(made, length, gravity, energy, momentum, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_energy
-
-   function kyvadlo_orbit_from_energy_above_top(length, gravity, energy_above_top, momentum, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, energy_above_top, momentum
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
-
-      call new_orbit_from_energy_above_top(made, length, gravity, energy_above_top, momentum, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_energy_above_top
-
-   function kyvadlo_orbit_from_energy_above_bottom(length, gravity, energy_above_bottom, momentum, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, energy_above_bottom, momentum
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
-
-      call new_orbit_from_energy_above_bottom(made, length, gravity, energy_above_bottom, momentum, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_energy_above_bottom
-
-   function kyvadlo_orbit_from_release(length, gravity, angle, speed, orbit, message, capacity) &
-      result(code) bind(c)
-      real(c_double), value :: length, gravity, angle, speed
-      type(c_orbit_type), intent(out) :: orbit
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int) :: code
-      type(orbit_type) :: made
-      type(error_type), allocatable :: error
-
-      call new_orbit_from_release(made, length, gravity, angle, speed, error)
-      call deliver(made, error, orbit, message, capacity, code)
-   end function kyvadlo_orbit_from_release
+#define c_name kyvadlo_orbit_from_release
+#define f_name new_orbit_from_release
+#include "c_set_up.inc"
 
 #define c_name kyvadlo_height_period
 #define f_name height_period
