@@ -31,7 +31,8 @@ module kyvadlo_commands
 
    type(command_type), parameter :: commands(*) = [ &
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
-      command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator')]
+      command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
+      command_type('bench', '', 'the cost and the error of our functions beside those of other libraries')]
 
    type(option_type), parameter :: options(*) = [ &
       option_type('table', '--divisions', 'N', 'every quantity at the N+1 times that divide the period'), &
@@ -47,6 +48,8 @@ module kyvadlo_commands
       option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
+      option_type('bench', '--functions', '', 'the elliptic functions'), &
+      option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &
       option_type('-', '--manual-page', '', 'print the manual page, for man'), &
@@ -62,7 +65,8 @@ module kyvadlo_commands
          'T, k, phi(T), lambda T over a grid'), &
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
-      example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line')]
+      example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
+      example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost')]
 
    type(explanation_type), parameter :: explanations(*) = [ &
       explanation_type('table', &
@@ -75,6 +79,10 @@ module kyvadlo_commands
          'Answers are separated by a blank, in the shortest form that reads back exactly. Without'), &
       explanation_type('eval', &
          'NAME, requests are read from standard input, one a line, and each is answered by one'), &
-      explanation_type('eval', 'line: the results, or `error: MESSAGE`. Exit status 1 if any request failed.')]
+      explanation_type('eval', 'line: the results, or `error: MESSAGE`. Exit status 1 if any request failed.'), &
+      explanation_type('bench', &
+         'Medians of several passes, all columns of a row measured in turn, in units of a scalar sine'), &
+      explanation_type('bench', &
+         'measured beside. GSL and Boost are measured live where this build found them.')]
 
 end module kyvadlo_commands

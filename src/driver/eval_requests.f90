@@ -18,6 +18,7 @@ module kyvadlo_eval_requests
 
    character(len=*), parameter :: orbit_results = "T k k' K q A phi(T) lambda*T"
    character(len=*), parameter :: incomplete_domain = 'm <= 1, or m sin(phi)^2 <= 1 from 0 to phi'
+   character(len=*), parameter :: azimuth_domain = 'a bob at rest has no azimuth'
    character(len=*), parameter :: place_results = 'x y z vx vy vz'
    character(len=*), parameter :: turning_results = 'z2 z1 z3 l+z2 l-z1 z1-z2 z3-z1 z3-l'
 
@@ -63,9 +64,9 @@ module kyvadlo_eval_requests
       request_type('orbit', 'l g z1 z2', orbit_results, ''), &
       request_type('orbit_gaps', 'l g l-z1 l+z2', orbit_results, ''), &
       request_type('orbit_rises', 'l g l+z1 l+z2', orbit_results, ''), &
-      request_type('azimuth', 'l g z1 z2 t', 'phi', ''), &
-      request_type('azimuth_gaps', 'l g l-z1 l+z2 t', 'phi', ''), &
-      request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', ''), &
+      request_type('azimuth', 'l g z1 z2 t', 'phi', azimuth_domain), &
+      request_type('azimuth_gaps', 'l g l-z1 l+z2 t', 'phi', azimuth_domain), &
+      request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', azimuth_domain), &
       request_type('position', 'l g z1 z2 t', place_results, ''), &
       request_type('position_gaps', 'l g l-z1 l+z2 t', place_results, ''), &
       request_type('position_rises', 'l g l+z1 l+z2 t', place_results, ''), &

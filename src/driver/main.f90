@@ -1,10 +1,12 @@
 !> The program `kyvadlo`: the only code that opens standard output, ends with a status and writes messages.
 program kyvadlo_main
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use kyvadlo_bench_functions, only: bench_functions
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
-   use kyvadlo_status, only: error_type
+   use kyvadlo_status, only: code_file, code_input, error_type, fail
    use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
    implicit none
@@ -45,6 +47,8 @@ contains
                call eval_command(arguments, status, error)
             case ('table')
                call table_command(arguments, error)
+            case ('bench')
+               call bench_command(arguments, error)
             case default
                call message('kyvadlo: no command; kyvadlo --help lists them')
                status = 2
@@ -56,6 +60,21 @@ contains
          status = 2
       end if
    end subroutine run
+
+   !> Measures. The tables appear line by line, so they go to a unit of Fortran's.
+   subroutine bench_command(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      integer :: status
+
+      if (size(arguments%operands) > 0) then
+         call fail(error, code_input, "bench takes no operand, got '"//arguments%operands(1)%text//"'")
+         return
+      end if
+      call bench_functions(output_unit, option_given(arguments, '--quick'))
+      flush (output_unit, iostat=status)
+      if (status /= 0) call fail(error, code_file, 'cannot write to standard output')
+   end subroutine bench_command
 
    subroutine write_version(output)
       type(output_type), intent(inout) :: output

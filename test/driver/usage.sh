@@ -2,7 +2,7 @@
 . "$2/test/driver/expect.sh"
 
 fails 2 'no command' 
-fails 2 "unknown command 'tabel'; the commands are table, eval" tabel
+fails 2 "unknown command 'tabel'; the commands are table, eval, bench" tabel
 fails 2 "unknown command ''" ''
 fails 2 "unknown option '--frobnicate'" --frobnicate
 fails 2 "unknown option '--frobnicate'" eval --frobnicate
@@ -20,18 +20,24 @@ for word in --help -h; do
    expect_in_out 'Usage: kyvadlo COMMAND'
    expect_in_out 'kyvadlo eval K 0.5'
 done
-for command in table eval; do
+for command in table eval bench; do
    run $command --help
    expect_status 0
    expect_in_out "Usage: kyvadlo $command"
    expect_in_out 'Examples:'
-   expect_in_out '--kind single|double|quad'
+   [ $command = bench ] || expect_in_out '--kind single|double|quad'
 done
 run --version
 expect_status 0
 expect_in_out 'kyvadlo '
 expect_in_out 'Licence: MIT'
 fails 2 'takes no value' --version=3
+
+fails 2 "bench takes no operand, got '3'" bench 3
+run bench --functions --quick
+expect_status 0
+expect_match '^R_F .*[0-9]'
+expect_match '^sn cn dn .*[0-9]'
 
 # The manual page and the completion come from the same tables as the help.
 run --manual-page
