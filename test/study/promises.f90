@@ -54,6 +54,10 @@ contains
          promise = promise_type(8, slack=1, eps=8)
       case ('position_heights', 'position_gaps', 'position_rises')
          promise = promise_type(merge(8, 16, mod(part, 2) == 1)*merge(1, 4, part <= 2))
+      case ('state')
+         promise = promise_type(16, slack=8)
+      case ('passage_height', 'passage_azimuth')
+         promise = promise_type(8, slack=1)
       case default
          promise = promise_type(8, slack=4)
       end select
@@ -96,6 +100,10 @@ contains
          label = 'phi'
       case ('position_heights', 'position_gaps', 'position_rises')
          label = trim(merge('position', 'velocity', mod(part, 2) == 1))//merge(' to 1000 T', ' to 1e9 T ', part <= 2)
+      case ('state')
+         label = word('position velocity')
+      case ('passage_height', 'passage_azimuth')
+         label = 't'
       case default
          label = '?'
       end select
@@ -195,6 +203,12 @@ contains
          title = 'Position (in eps l) and velocity (in eps v_max) from l-z1, l+z2'
       case ('position_rises')
          title = 'Position (in eps l) and velocity (in eps v_max) from l+z1, l+z2'
+      case ('state')
+         title = 'Position (in eps l) and velocity (in eps v_max) from a position and a velocity'
+      case ('passage_height')
+         title = 'First passage through a height (in eps T)'
+      case ('passage_azimuth')
+         title = 'First passage through an azimuth (in eps T)'
       case default
          title = question
       end select
