@@ -1,16 +1,16 @@
 !> Carlson's integral of the third kind RJ in the three kinds.
 module kyvadlo_carlson_rj_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, xp => real64
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real32
 
 module kyvadlo_carlson_rj_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, xp => real64
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real64
 
 module kyvadlo_carlson_rj_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, xp => real128
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real128
 
