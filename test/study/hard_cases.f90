@@ -7,7 +7,7 @@
 program hard_cases
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128, output_unit, error_unit
    use campaign, only: compare_orbits
-   use hard_regimes, only: regimes, measures, promises, title_of_regime
+   use hard_regimes, only: regimes, measures, promises, promises_of, title_of_regime
    use kyvadlo, only: orbit_type_real128, error_type, new_orbit_from_gaps, complementary_modulus
    use newton_check, only: distance_from_newton
    use study_pages, only: write_machine, number_text
@@ -66,7 +66,7 @@ contains
          end do
          write (output_unit, '(a)') line
          ! Rounding may put a random start just outside what determines an orbit; more than that would hide a regime.
-         if (.not. all(worst <= promises) .or. refused > count/50) then
+         if (.not. all(worst <= promises_of(trim(regimes(i)))) .or. refused > count/50) then
             broken = .true.
             write (error_unit, '(a, i0, a)') merge('single: ', 'double: ', single)//line, refused, ' refused'
          end if

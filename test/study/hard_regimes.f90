@@ -6,7 +6,7 @@ module hard_regimes
    private
    public :: start_type, regimes, draw_start, title_of_regime
    public :: measures, of_constants, of_rate, of_position, of_velocity, of_late_position, of_late_velocity, of_azimuth, &
-      of_own_size, of_laws, promises
+      of_own_size, of_laws, promises, promises_of
    public :: start_heights, start_gaps, start_rises, start_energy, start_above_top, start_state
 
    integer, parameter :: start_heights = 1, start_gaps = 2, start_rises = 3, start_energy = 4, start_above_top = 5, start_state = 6
@@ -33,10 +33,20 @@ module hard_regimes
    real(real64), parameter :: promises(measures) = [4.0_real64, 64.0_real64, 8.0_real64, 16.0_real64, 32.0_real64, 64.0_real64, &
       8.0_real64, 16.0_real64, 64.0_real64]
 
-   character(len=16), parameter :: regimes(11) = [character(len=16) :: 'typical', 'near_conical', 'near_plane', 'near_upright', &
-      'near_rotation', 'small', 'energetic', 'extreme_scales', 'quarter_periods', 'poles', 'rest']
+   character(len=16), parameter :: regimes(12) = [character(len=16) :: 'typical', 'near_conical', 'near_plane', 'near_upright', &
+      'near_rotation', 'small', 'energetic', 'extreme_scales', 'quarter_periods', 'states', 'poles', 'rest']
 
 contains
+
+   !> From a state 16 eps l are promised instead of 8 (beyond what its rounding makes, which is nothing here: both kinds start from
+   !> the same numbers).
+   function promises_of(regime) result(promise)
+      character(len=*), intent(in) :: regime
+      real(real64) :: promise(measures)
+
+      promise = promises
+      if (regime == 'states') promise(of_position) = 16
+   end function promises_of
 
    !> A start of the regime. `reach` says how far exponents go in the kind asked for: 1 in double precision.
    type(start_type) function draw_start(regime, stream, reach) result(s)
@@ -63,10 +73,10 @@ contains
       case ('near_plane')
          s%way = start_gaps
          s%a(1) = uniform(stream, 0.1_real64, 1.9_real64)
-         s%a(2) = min(s%a(1), 2 - s%a(1))*decades(stream, -285*reach, -1.0_real64)
+         s%a(2) = min(s%a(1), 2 - s%a(1))*decades(stream, -290*reach, -1.0_real64)
       case ('near_upright')
          s%way = start_gaps
-         s%a(1) = decades(stream, -285*reach, -1.0_real64)
+         s%a(1) = decades(stream, -290*reach, -1.0_real64)
          s%a(2) = s%a(1)*merge(uniform(stream, 0.0_real64, 1.0_real64), decades(stream, -5.0_real64, 0.0_real64), &
             uniform(stream, 0.0_real64, 1.0_real64) < 0.5_real64)
       case ('near_rotation')
@@ -87,6 +97,16 @@ contains
          s%length = decades(stream, -100*reach, 100*reach)
          s%gravity = decades(stream, -100*reach, 100*reach)
          call between_turning_heights(s, stream)
+      case ('states')
+         ! Any place on the sphere and any velocity along it, as far as rounded numbers lie there
+         s%way = start_state
+         s%length = uniform(stream, 0.1_real64, 70.0_real64)
+         x = uniform(stream, 0.0_real64, 3.14_real64)
+         y = uniform(stream, -3.1_real64, 3.1_real64)
+         angle = uniform(stream, -3.1_real64, 3.1_real64)
+         s%a(:3) = s%length*[sin(x)*cos(y), sin(x)*sin(y), cos(x)]
+         s%a(4:) = cos(angle)*[cos(x)*cos(y), cos(x)*sin(y), -sin(x)] + sin(angle)*[-sin(y), cos(y), 0.0_real64]
+         s%a(4:) = s%a(4:)*sqrt(s%gravity*s%length)*decades(stream, -3.0_real64, 1.0_real64)
       case ('poles')
          ! Through the lowest point, or through the highest
          s%way = start_state
@@ -137,6 +157,8 @@ contains
          title = 'extreme scales'
       case ('quarter_periods')
          title = 'at T/4, T/2, T'
+      case ('states')
+         title = 'from a state'
       case ('poles')
          title = 'through a pole'
       case ('rest')
