@@ -25,11 +25,21 @@ cat >generic.nml <<'END'
 &pendulum name='generic', length=1, z_upper=0.3, z_lower=-0.8 /
 END
 run table generic.nml
-expect_match '^ *T/4 *0.27169832050310 *-0.16237926758505$'
+expect_match '^ *T/4 *0.27169832050310 *-0.16237926758505 *0.83762073241495 *1.1623792675850$'
 expect_match '^ *T *1.0867932820124 *3.6655257739793 *6.2831853071796 *5.3683909052947 *307.58614164980$'
 run table generic.nml --divisions 10
-expect_match ' 0.10867932820124 *0.22252882637863 *0.36655257739793 *0.51304654115291 *0.42156710096442 '
+expect_match ' 0.10867932820124 *0.22252882637863 *1.2225288263786 *0.77747117362137 *0.36655257739793 *0.51304654115291 *0.42156710096442 '
 expect_match ' 24.154015666827 *-1.4198159222587 *3.7715413721943 *3.9548756452748$'
+
+# cos(120 degrees) is -1/2: z1 = 1/2, z3 = 1, so z(T/4) is 0.
+cat >exact.nml <<'END'
+&pendulum length=1, release_angle=120, release_speed=0 /
+&pendulum length=3, release_angle=60, release_speed=0 /
+END
+run table exact.nml
+expect_match '^ *T/4 *0.34432002425687 *0 *1.0000000000000 *1.0000000000000$'
+run table exact.nml --data --format csv
+expect_in_out ',3e+00,9.80665e+00,-1.5e+00,-3e+00,3e+00,4.5e+00,'
 
 # The conical pendulum: omega^2 = g/(-z).
 cat >conical.nml <<'END'
@@ -91,7 +101,7 @@ run table conical.nml plane.nml --divisions 10 --format csv
 expect_status 0
 checks=$((checks + 1))
 [ "$(grep -v '^#' out | wc -l)" -eq 23 ] || complain '1 + 2 * 11 rows expected'
-[ "$(grep -v '^#' out | awk -F, '{ print NF }' | sort -u)" = 11 ] || complain '11 fields in every row expected'
+[ "$(grep -v '^#' out | awk -F, '{ print NF }' | sort -u)" = 13 ] || complain '13 fields in every row expected'
 run table --divisions 300
 expect_status 0
 run table --format markdown
