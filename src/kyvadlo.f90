@@ -28,6 +28,7 @@ module kyvadlo
    use kyvadlo_string
    use kyvadlo_passage, only: time_to_height, time_to_rise, time_to_azimuth, next_turning_time
    use kyvadlo_batch, only: locate_batch, locate_many
+   use kyvadlo_periods, only: period_from_gaps, periods_from_gaps
    implicit none
    public
 end module kyvadlo

@@ -4,12 +4,15 @@ module kyvadlo_batch_dispatch
    use, intrinsic :: iso_c_binding, only: c_int
    use kyvadlo_batch_constants
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
-      beyond_baseline => any_beyond
-   use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, beyond_v3 => any_beyond
-   use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, beyond_v4 => any_beyond
+      beyond_baseline => any_beyond, &
+      periods_baseline => period_group
+   use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, beyond_v3 => any_beyond, &
+      periods_v3 => period_group
+   use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, beyond_v4 => any_beyond, &
+      periods_v4 => period_group
    implicit none
    private
-   public :: vector_level, place_groups, place_groups_rates, any_time_beyond
+   public :: vector_level, place_groups, place_groups_rates, period_groups, any_time_beyond
 
    interface
       pure integer(c_int) function processor_level() bind(c, name='kyvadlo_vector_level')
@@ -60,6 +63,22 @@ contains
          call rates_baseline(b, start, groups, time, x, y, z, vx, vy, vz)
       end select
    end subroutine place_groups_rates
+
+   pure subroutine period_groups(level, groups, length, factor, top_gap, bottom_gap, period)
+      integer, intent(in) :: level, groups
+      real(real64), intent(in) :: length, factor
+      real(real64), intent(in), dimension(group_size*groups) :: top_gap, bottom_gap
+      real(real64), intent(out), dimension(group_size*groups) :: period
+
+      select case (level)
+      case (2)
+         call periods_v4(groups, length, factor, top_gap, bottom_gap, period)
+      case (1)
+         call periods_v3(groups, length, factor, top_gap, bottom_gap, period)
+      case default
+         call periods_baseline(groups, length, factor, top_gap, bottom_gap, period)
+      end select
+   end subroutine period_groups
 
    !> Whether a time is NaN or beyond what the kernels reduce.
    pure logical function any_time_beyond(level, n, time, limit)

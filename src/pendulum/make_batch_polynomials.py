@@ -39,6 +39,8 @@ TABLES = [
     ("sine_terms", "sin(pi f/2)/f", ratio(mp.sin, mp.pi / 2), mp.mpf(1) / 2, 6, True),
     ("cosine_terms", "cos(pi f/2)", lambda z: mp.cos(mp.pi / 2 * mp.sqrt(abs(z))), mp.mpf(1) / 2, 7, False),
     ("hyperbolic_sine_terms", "sinh(r)/r", ratio(mp.sinh, mp.mpf(1)), mp.log(2) / 2, 5, True),
+    ("logarithm_terms", "atanh(s)/s", ratio(mp.atanh, mp.mpf(1)), (mp.sqrt(2) - 1) / (mp.sqrt(2) + 1), 7, True),
+    ("mean_terms", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))), mp.mpf(1) / 10, 6, False),
     ("hyperbolic_cosine_terms", "cosh(r)", lambda z: mp.cosh(mp.sqrt(abs(z))), mp.log(2) / 2, 5, False),
 ]
 

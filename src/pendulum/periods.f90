@@ -1,0 +1,60 @@
+!> The period alone, without setting up an orbit: of one orbit or of many.
+module kyvadlo_periods
+   use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_batch_constants, only: block_size, group_size
+   use kyvadlo_batch_kernel_single, only: period_point
+   use kyvadlo_batch_dispatch, only: vector_level, period_groups
+   implicit none
+   private
+   public :: period_from_gaps, periods_from_gaps
+
+contains
+
+   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `height_period` gives after a set-up, in a fiftieth of the
+   !> time. NaN unless 0 <= bottom_gap < top_gap <= 2 l - bottom_gap, l > 0, g > 0.
+   !> Error 3 ulp at worst (test/unit/test_periods.pf).
+   elemental real(real64) function period_from_gaps(length, gravity, top_gap, bottom_gap) result(period)
+      real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
+      real(real64), intent(in) :: top_gap, bottom_gap  !! l - z1, l + z2 [m]
+      real(real64) :: unit, factor
+
+      call scale_lengths(length, gravity, unit, factor)
+      call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
+   end function period_from_gaps
+
+   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate_batch`.
+   subroutine periods_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level)
+      real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
+      real(real64), intent(in), dimension(:) :: top_gap, bottom_gap     !! l - z1, l + z2 [m] (n)
+      real(real64), intent(out), dimension(:) :: period                 !! [s] (n)
+      integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
+      real(real64), dimension(block_size) :: top, bottom, found
+      real(real64) :: unit, factor
+      integer :: start, points, orbits, level
+
+      call scale_lengths(length, gravity, unit, factor)
+      level = vector_level(highest_level)
+      orbits = size(period)
+      do start = 1, orbits, block_size
+         points = min(block_size, orbits - start + 1)
+         top(:points) = top_gap(start:start + points - 1)*unit
+         bottom(:points) = bottom_gap(start:start + points - 1)*unit
+         top(points + 1:) = length*unit
+         bottom(points + 1:) = 0
+         call period_groups(level, (points + group_size - 1)/group_size, length*unit, factor, top, bottom, found)
+         period(start:start + points - 1) = found(:points)
+      end do
+   end subroutine periods_from_gaps
+
+   !> The power of 4 that brings the length near 1, and pi l sqrt(2)/sqrt(g) in seconds for lengths times it.
+   pure subroutine scale_lengths(length, gravity, unit, factor)
+      real(real64), intent(in) :: length, gravity
+      real(real64), intent(out) :: unit, factor
+      real(real64), parameter :: root_two_pi = acos(-1.0_real64)*sqrt(2.0_real64)
+      integer :: power
+
+      power = exponent(length)/2
+      unit = scale(1.0_real64, -2*power)
+      factor = root_two_pi*(length*unit)/sqrt(gravity)*scale(1.0_real64, power)
+   end subroutine scale_lengths
+end module kyvadlo_periods
