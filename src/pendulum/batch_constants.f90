@@ -1,4 +1,4 @@
-!> What the kernels of the place read of an orbit: the closed form of PAPER section 5 as polynomials, in real64.
+!> What the kernels of the place read of an orbit: the closed form [S5.1] as polynomials, in real64.
 module kyvadlo_batch_constants
    use, intrinsic :: iso_fortran_env, only: real64, int64
    implicit none
@@ -14,7 +14,7 @@ module kyvadlo_batch_constants
    integer, parameter :: part_bits = 21
 
    integer, parameter :: form_scalar = 0       !! No closed form in polynomials: separatrix, rest, no orbit
-   integer, parameter :: form_direct_even = 1  !! Nome q, F in even multiples ("lib" of section 5)
+   integer, parameter :: form_direct_even = 1  !! Nome q, F in even multiples
    integer, parameter :: form_direct_odd = 2   !! Nome q, F in odd multiples ("rot")
    integer, parameter :: form_dual = 3         !! Nome q', bottom and top
 
@@ -40,7 +40,7 @@ module kyvadlo_batch_constants
       real(real64) :: diameter = 0       !! 2 l [m]
       real(real64) :: rate = 0           !! dv/dt or dV/dt [1/s]
       real(real64) :: turn_rate = 0      !! rho [1/s]
-      !> P and F of section 5, up to a common factor, by passage: 1 bottom, 0 top (dual form only). At the bottom P is `odd` and
+      !> P and F of [S5.1], up to a common factor, by passage: 1 bottom, 0 top (dual form only). At the bottom P is `odd` and
       !> F `even` ("even" only in name for `form_direct_odd`), at the top F is `odd` and P `even`.
       type(wave_type) :: odd(0:1), even(0:1)
    end type batch_type

@@ -1,6 +1,6 @@
 !> The cubic (5) of the spherical pendulum as gaps between its roots and the poles, from every kind of input.
 !>
-!> PAPER: (5)-(11), [S6.1], [S6.4]. `wp` is the caller's kind, `cp` the kind that computes: real32 computes in real64.
+!> (5)-(11), [S6.1], [S6.4]. `wp` is the caller's kind, `cp` the kind that computes: real32 computes in real64.
 module kyvadlo_gaps_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
 #define gaps_type gaps_type_real32

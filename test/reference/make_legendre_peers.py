@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes legendre_peers.dat: the inputs on which other libraries' Legendre integrals failed (PEERS list of the project), with
+"""Writes legendre_peers.dat: the inputs on which other libraries' Legendre integrals failed, with
 values by Arb at the exact inputs. Set: peer_function_k or _m by what the last argument is, modulus or parameter; arguments
 unused are 0. Z takes its amplitude here."""
 from fractions import Fraction
