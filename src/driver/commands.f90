@@ -49,6 +49,7 @@ module kyvadlo_commands
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('bench', '--functions', '', 'the elliptic functions'), &
+      option_type('bench', '--motion', '', 'places, velocities, periods and set-up'), &
       option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &
@@ -66,7 +67,8 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
-      example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost')]
+      example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost'), &
+      example_type('bench', 'kyvadlo bench --motion', 'the motion beside two sines and a division')]
 
    type(explanation_type), parameter :: explanations(*) = [ &
       explanation_type('table', &

@@ -2,6 +2,7 @@
 program kyvadlo_main
    use, intrinsic :: iso_fortran_env, only: output_unit
    use kyvadlo_bench_functions, only: bench_functions
+   use kyvadlo_bench_motion, only: bench_motion
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
@@ -71,7 +72,10 @@ contains
          call fail(error, code_input, "bench takes no operand, got '"//arguments%operands(1)%text//"'")
          return
       end if
-      call bench_functions(output_unit, option_given(arguments, '--quick'))
+      if (option_given(arguments, '--functions') .or. .not. option_given(arguments, '--motion')) &
+         call bench_functions(output_unit, option_given(arguments, '--quick'))
+      if (option_given(arguments, '--motion') .or. .not. option_given(arguments, '--functions')) &
+         call bench_motion(output_unit, option_given(arguments, '--quick'))
       flush (output_unit, iostat=status)
       if (status /= 0) call fail(error, code_file, 'cannot write to standard output')
    end subroutine bench_command

@@ -38,6 +38,11 @@ run bench --functions --quick
 expect_status 0
 expect_match '^R_F .*[0-9]'
 expect_match '^sn cn dn .*[0-9]'
+run bench --motion --quick
+expect_status 0
+expect_match 'x86-64  *> 1/2  *place and velocity .*[0-9]'
+expect_match '^T alone .*[0-9]'
+expect_match '^separatrix  *1000 periods.*[0-9]'
 
 # The manual page and the completion come from the same tables as the help.
 run --manual-page

@@ -1,0 +1,379 @@
+!> `kyvadlo bench --motion`: places, velocities, periods and set-up timed in units of a scalar sine, beside the floor and others.
+module kyvadlo_bench_motion
+   use, intrinsic :: iso_fortran_env, only: int64, real64, real128
+!$ use omp_lib, only: omp_get_max_threads, omp_set_num_threads
+   use kyvadlo
+   use kyvadlo_batch_dispatch, only: vector_level
+   use kyvadlo_bench_floor_baseline, only: floor_baseline => floor_loop
+   use kyvadlo_bench_floor_v3, only: floor_v3 => floor_loop
+   use kyvadlo_bench_floor_v4, only: floor_v4 => floor_loop
+   use kyvadlo_bench_peers, only: peer_type, peers, quoted_sine, gsl_motion
+   implicit none
+   private
+   public :: bench_motion
+
+   !> Times in a batch (40 whole strips of the floor, 1e4 in round numbers) and single calls in a pass.
+   integer, parameter :: points = 10240, calls = 400, many = 2**20
+
+   integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, dual_rates_row = 6, &
+      one_direct = 7, one_dual = 8, one_upright = 9, one_rates = 10, one_azimuth = 11, set_up_direct = 12, set_up_dual = 13, &
+      set_up_upright = 14, period_one = 15, period_upright = 16, period_many = 17, period_many_upright = 18, last_row = 18
+
+   type :: bench_type
+      type(orbit_type) :: direct, dual, upright
+      real(real64), dimension(points) :: time, a, b, top, bottom, top_upright, bottom_upright
+      real(real64), dimension(points, 6) :: out
+      real(real64) :: checksum = 0
+   end type bench_type
+
+contains
+
+   !> Measures and prints the tables. Every figure is a median over passes; all rows are measured in turn, pass by pass, on one
+   !> thread but for the last table.
+   subroutine bench_motion(unit, quick)
+      integer, intent(in) :: unit    !! Where to print
+      logical, intent(in) :: quick   !! Few passes: to see that it runs, not to measure
+      type(bench_type), allocatable :: bench
+      real(real64), allocatable :: times(:, :)
+      real(real64) :: t(last_row)
+      integer :: level, row, pass, passes, threads
+
+      threads = 1
+!$    threads = omp_get_max_threads()
+!$    call omp_set_num_threads(1)
+      passes = merge(3, 41, quick)
+      allocate (bench, times(passes, last_row))
+      call prepare(bench)
+      do level = 0, vector_level()
+         do pass = 0, passes  ! The first warms the caches and is not counted.
+            do row = 1, merge(last_row, dual_rates_row, level == vector_level())
+               call measure(bench, row, level, times(max(pass, 1), row))
+            end do
+         end do
+         do row = 1, merge(last_row, dual_rates_row, level == vector_level())
+            t(row) = median(times(:, row))
+         end do
+         call print_places(unit, level, t)
+      end do
+      call print_single(unit, t)
+      call compare_with_peers(unit, bench, passes)
+      call print_threads(unit, threads, passes)
+!$    call omp_set_num_threads(threads)
+      write (unit, '(a,es22.15)') 'Sum of all values computed: ', bench%checksum
+   end subroutine bench_motion
+
+   subroutine prepare(bench)
+      type(bench_type), intent(inout) :: bench
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call new_orbit_from_gaps(bench%direct, 1.0_real64, 9.81_real64, 1.3_real64, 0.1_real64, error)
+      call new_orbit_from_gaps(bench%dual, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64, error)
+      call new_orbit_from_gaps(bench%upright, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64, error)
+      do i = 1, points
+         ! Times over 100 periods in no order that a branch predictor could learn.
+         bench%time(i) = 100*modulo(0.6180339887498949_real64*i, 1.0_real64)
+         bench%a(i) = modulo(0.6180339887498949_real64*i, 1.0_real64)*6.28_real64
+         bench%b(i) = 0.1_real64 + modulo(0.7548776662466927_real64*i, 1.0_real64)*6.28_real64
+         bench%top(i) = 0.01_real64 + 1.9_real64*modulo(0.6180339887498949_real64*i, 1.0_real64)
+         bench%bottom(i) = min(bench%top(i), 2 - bench%top(i))*modulo(0.7548776662466927_real64*i, 1.0_real64)
+      end do
+      bench%top_upright = 1e-20_real64*bench%top
+      bench%bottom_upright = 1e-20_real64*bench%bottom
+   end subroutine prepare
+
+   !> Nanoseconds a call or a point.
+   subroutine measure(bench, row, level, time)
+      type(bench_type), intent(inout) :: bench
+      integer, intent(in) :: row, level
+      real(real64), intent(out) :: time
+      type(error_type), allocatable :: error
+      type(orbit_type) :: orbit
+      real(real64) :: place(3), velocity(3), total
+      integer(int64) :: start
+      integer :: i, count
+
+      total = 0
+      count = calls
+      call system_clock(start)
+      select case (row)
+      case (sine_row)
+         count = points
+         do i = 1, points
+            total = total + sin(bench%a(i))
+         end do
+      case (floor_row)
+         count = points
+         select case (level)
+         case (0)
+            call floor_baseline(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
+         case (1)
+            call floor_v3(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
+         case default
+            call floor_v4(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
+         end select
+      case (direct_row)
+         count = points
+         call places(bench, bench%direct, level)
+      case (dual_row)
+         count = points
+         call places(bench, bench%dual, level)
+      case (direct_rates_row)
+         count = points
+         call rates(bench, bench%direct, level)
+      case (dual_rates_row)
+         count = points
+         call rates(bench, bench%dual, level)
+      case (one_direct)
+         do i = 1, calls
+            call locate(bench%direct, bench%time(i), place)
+            total = total + place(1)
+         end do
+      case (one_dual)
+         do i = 1, calls
+            call locate(bench%dual, bench%time(i), place)
+            total = total + place(1)
+         end do
+      case (one_upright)
+         do i = 1, calls
+            call locate(bench%upright, bench%time(i), place)
+            total = total + place(1)
+         end do
+      case (one_rates)
+         do i = 1, calls
+            call locate(bench%dual, bench%time(i), place, velocity)
+            total = total + velocity(1)
+         end do
+      case (one_azimuth)
+         do i = 1, calls
+            total = total + azimuth(bench%dual, bench%time(i))
+         end do
+      case (set_up_direct, set_up_dual, set_up_upright)
+         count = calls/10
+         do i = 1, count
+            select case (row)
+            case (set_up_direct)
+               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1.3_real64, 0.1_real64 + 1e-6_real64*i, error)
+            case (set_up_dual)
+               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + 1e-6_real64*i, error)
+            case default
+               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-22_real64*i, error)
+            end select
+            total = total + height_period(orbit)
+         end do
+      case (period_one)
+         do i = 1, calls
+            total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top(i), bench%bottom(i))
+         end do
+      case (period_upright)
+         do i = 1, calls
+            total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), bench%bottom_upright(i))
+         end do
+      case (period_many)
+         count = points
+         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, bench%out(:, 1), level)
+      case default
+         count = points
+         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, bench%out(:, 1), level)
+      end select
+      time = nanoseconds_since(start)/count
+      bench%checksum = bench%checksum + total + bench%out(1 + modulo(row, 7), 1)
+   end subroutine measure
+
+   subroutine places(bench, orbit, level)
+      type(bench_type), intent(inout) :: bench
+      type(orbit_type), intent(in) :: orbit
+      integer, intent(in) :: level
+
+      call locate_batch(orbit, bench%time, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3), highest_level=level)
+   end subroutine places
+
+   subroutine rates(bench, orbit, level)
+      type(bench_type), intent(inout) :: bench
+      type(orbit_type), intent(in) :: orbit
+      integer, intent(in) :: level
+
+      call locate_batch(orbit, bench%time, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3), &
+         bench%out(:, 4), bench%out(:, 5), bench%out(:, 6), highest_level=level)
+   end subroutine rates
+
+   subroutine print_places(unit, level, t)
+      integer, intent(in) :: unit, level
+      real(real64), intent(in) :: t(:)
+      character(len=9), parameter :: names(0:2) = [character(len=9) :: 'x86-64', 'x86-64-v3', 'x86-64-v4']
+
+      if (level == 0) write (unit, '(a)') &
+         'Places at 10240 times of one orbit, double precision, one thread. S is one scalar sine, measured beside; the', &
+         'floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', '', &
+         'kernel      k**2    what                       ns       S   floors'
+      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '          floor             ', t(floor_row), &
+         t(floor_row)/t(sine_row), 1.0
+      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  < 1/2   place             ', t(direct_row), &
+         t(direct_row)/t(sine_row), t(direct_row)/t(floor_row)
+      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  > 1/2   place             ', t(dual_row), &
+         t(dual_row)/t(sine_row), t(dual_row)/t(floor_row)
+      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  < 1/2   place and velocity', t(direct_rates_row), &
+         t(direct_rates_row)/t(sine_row), t(direct_rates_row)/t(floor_row)
+      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  > 1/2   place and velocity', t(dual_rates_row), &
+         t(dual_rates_row)/t(sine_row), t(dual_rates_row)/t(floor_row)
+   end subroutine print_places
+
+   subroutine print_single(unit, t)
+      integer, intent(in) :: unit
+      real(real64), intent(in) :: t(:)
+      integer :: row
+      character(len=44), parameter :: names(one_direct:last_row) = [character(len=44) :: &
+         'one place, k**2 < 1/2', 'one place, k**2 > 1/2', 'one place, k''**2 = 1e-16', 'one place and velocity', 'one azimuth', &
+         'set-up, two-part constants, k**2 < 1/2', 'set-up, two-part constants, k**2 > 1/2', 'set-up, k''**2 = 1e-16', &
+         'T alone', 'T alone, k''**2 = 1e-20', 'T of many orbits, each', 'T of many orbits, each, k''**2 = 1e-20']
+
+      write (unit, '(/,a44,2a10)') 'single calls                                ', 'ns', 'S'
+      write (unit, '(a44,f10.2,f10.2)') 'scalar sine                                 ', t(sine_row), 1.0
+      do row = one_direct, last_row
+         write (unit, '(a44,f10.2,f10.2)') names(row), t(row), t(row)/t(sine_row)
+      end do
+   end subroutine print_single
+
+   !> Our whole cost, set-up included, beside what others need on the same orbits, and both errors.
+   subroutine compare_with_peers(unit, bench, passes)
+      integer, intent(in) :: unit, passes
+      type(bench_type), intent(inout) :: bench
+      integer, parameter :: scenario_points(2) = [10000, 1000]
+      real(real64), dimension(10000) :: time, x, y, z
+      real(real64) :: ours(passes), gsl(passes), sine(passes), error, gsl_error, period, quoted, quoted_error
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: failure
+      integer(int64) :: start
+      integer :: i, k, n, pass, scenario
+      logical :: has
+
+      has = .false.
+      write (unit, '(/,a,/,a,/,a,/)') &
+         'Against others, set-up included; times of others over ours. GSL (sn, cn, dn and two integrals of the third kind a', &
+         'point) runs here; dopri5 (Boost.Odeint, dense output) and the best closed form are quoted in S from another machine.', &
+         'Errors are the worst distance from our real128 (GSL: of its own turning heights as printed).'
+      write (unit, '(a10,2x,a24,2a8,2a10,2x,a22,a10)') 'orbit', 'motion                  ', 'ns', 'S', 'error', 'GSL', &
+         '      quoted          ', 'its error'
+      do k = 1, size(peers)
+         do scenario = 1, 2
+            n = scenario_points(scenario)
+            call new_orbit_from_heights(orbit, 1.0_real64, 1.0_real64, peers(k)%upper, peers(k)%lower, failure)
+            period = height_period(orbit)
+            do i = 1, n
+               if (scenario == 1) then
+                  time(i) = period*i/n
+               else
+                  time(i) = period*(i - 1 + modulo(0.6180339887498949_real64*i, 1.0_real64))
+               end if
+            end do
+            do pass = 1, passes
+               call measure(bench, sine_row, 0, sine(pass))
+               call system_clock(start)
+               call new_orbit_from_heights(orbit, 1.0_real64, 1.0_real64, peers(k)%upper, peers(k)%lower, failure)
+               call locate_batch(orbit, time(:n), x(:n), y(:n), z(:n))
+               ours(pass) = nanoseconds_since(start)/n
+            end do
+            error = worst_error(0.0_real64)
+            gsl = 0
+            do pass = 1, min(passes, 5)
+               call system_clock(start)
+               call gsl_motion(peers(k)%upper, peers(k)%lower, period, time(:n), x(:n), y(:n), z(:n), has)
+               gsl(pass) = nanoseconds_since(start)/n
+            end do
+            gsl_error = -1
+            if (has) gsl_error = worst_error(0.5_real64)
+            quoted = merge(peers(k)%dense, peers(k)%closed, scenario == 1)/quoted_sine
+            quoted_error = merge(peers(k)%dense_error, peers(k)%closed_error, scenario == 1)
+            write (unit, '(a10,2x,a24,f8.2,f8.3,es10.1,a22,f7.1,1x,a11,es10.1)') peers(k)%name, &
+               merge('one period, 10000 points', '1000 periods, 1000      ', scenario == 1), median(ours), &
+               median(ours)/median(sine), error, gsl_text(median(gsl(:min(passes, 5)))/median(ours), gsl_error), &
+               quoted/(median(ours)/median(sine)), merge('dopri5     ', peers(k)%closed_name, scenario == 1), quoted_error
+         end do
+      end do
+
+   contains
+
+      !> Greatest distance of every 10th place from the real128 motion; GSL's start half a period later.
+      real(real64) function worst_error(later)
+         real(real64), intent(in) :: later
+         type(orbit_type_real128) :: exact
+         real(real128) :: place(3), turn(3), t
+         integer :: j
+
+         call new_orbit_from_heights(exact, 1.0_real128, 1.0_real128, real(peers(k)%upper, real128), &
+            real(peers(k)%lower, real128), failure)
+         worst_error = 0
+         call locate(exact, later*height_period(exact), turn)
+         turn(:2) = turn(:2)/norm2(turn(:2))
+         do j = 1, n, 10
+            t = time(j) + later*height_period(exact)
+            call locate(exact, t, place)
+            if (later > 0) place(:2) = [place(1)*turn(1) + place(2)*turn(2), place(2)*turn(1) - place(1)*turn(2)]
+            worst_error = max(worst_error, real(norm2(place - [x(j), y(j), z(j)]), real64))
+         end do
+      end function worst_error
+
+      function gsl_text(ratio, distance) result(text)
+         real(real64), intent(in) :: ratio, distance
+         character(len=22) :: text
+
+         text = '                     -'
+         if (has) write (text, '(f10.1,a,es9.1,a)') ratio, ' (', distance, ')'
+      end function gsl_text
+   end subroutine compare_with_peers
+
+   !> Long arrays on one thread and on all: the fastest passes, since other work on a core stops all threads.
+   subroutine print_threads(unit, threads, passes)
+      integer, intent(in) :: unit, threads, passes
+      real(real64), allocatable :: time(:), x(:), y(:), z(:)
+      real(real64) :: one(passes), all(passes)
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+      integer(int64) :: start
+      integer :: i, pass
+
+      if (threads == 1) return
+      allocate (time(many), x(many), y(many), z(many))
+      do i = 1, many
+         time(i) = 1e-3_real64*i
+      end do
+      call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64, error)
+      do pass = 1, passes
+!$       call omp_set_num_threads(1)
+         call system_clock(start)
+         call locate_batch(orbit, time, x, y, z)
+         one(pass) = nanoseconds_since(start)/many
+!$       call omp_set_num_threads(threads)
+         call system_clock(start)
+         call locate_batch(orbit, time, x, y, z)
+         all(pass) = nanoseconds_since(start)/many
+      end do
+      write (unit, '(/,a,i0,a,i0,a,f6.2,a,f6.2,a)') 'Places at ', many, ' times on ', threads, ' threads, fastest passes: ', &
+         minval(all), ' ns a point; on one: ', minval(one)/minval(all), ' times that'
+   end subroutine print_threads
+
+   real(real64) function nanoseconds_since(start)
+      integer(int64), intent(in) :: start
+      integer(int64) :: now, rate
+
+      call system_clock(now, rate)
+      nanoseconds_since = 1e9_real64*real(now - start, real64)/real(rate, real64)
+   end function nanoseconds_since
+
+   pure real(real64) function median(values)
+      real(real64), intent(in) :: values(:)
+      real(real64) :: sorted(size(values)), moved
+      integer :: i, j
+
+      sorted = values
+      do i = 2, size(sorted)
+         moved = sorted(i)
+         do j = i - 1, 1, -1
+            if (sorted(j) <= moved) exit
+            sorted(j + 1) = sorted(j)
+         end do
+         sorted(j + 1) = moved
+      end do
+      median = sorted((size(sorted) + 1)/2)
+   end function median
+end module kyvadlo_bench_motion
