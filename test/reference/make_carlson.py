@@ -180,6 +180,7 @@ def sets(name, count, kind):
         yield 'negative_near_equal', lambda: negative(near_equal())
         yield 'negative_p_wide60', lambda: negative([power(kind, middle) for _ in range(count)])
         yield 'negative_p_wide280', lambda: negative([power(kind, wide) for _ in range(count)])
+        yield 'negative_p_zero_wide', lambda: negative(one_zero([power(kind, wide) for _ in range(count)]))
 
 
 def write_row(out, set_name, kind, function, arguments, value=None):
