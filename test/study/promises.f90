@@ -88,6 +88,8 @@ contains
          label = 'Lambda_0'
       case ('jacobi', 'jacobic')
          label = word('sn cn dn am')
+      case ('ratios', 'ratiosc')
+         label = word('ns nc nd sc cs sd ds cd dc')
       case ('theta', 'theta_complex')
          label = word('theta theta''')
       case ('cubic')
@@ -173,6 +175,10 @@ contains
          title = 'sn, cn, dn, am of argument u and parameter m'
       case ('jacobic')
          title = 'sn, cn, dn, am of argument u and 1-m'
+      case ('ratios')
+         title = 'The other nine of the twelve Jacobian functions, of u and m'
+      case ('ratiosc')
+         title = 'The other nine of the twelve Jacobian functions, of u and 1-m'
       case ('theta')
          title = 'theta_1 ... theta_4 of real v, and their derivatives'
       case ('theta_complex')
