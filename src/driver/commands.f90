@@ -58,10 +58,10 @@ module kyvadlo_commands
 
    type(example_type), parameter :: examples(*) = [ &
       example_type('table', 'kyvadlo table', 'five built-in pendulums'), &
-      example_type('table', 'kyvadlo table laboratory.nml', 'the pendulums of a scene file'), &
-      example_type('table', 'kyvadlo table laboratory.nml --divisions 360 --format csv', &
+      example_type('table', 'kyvadlo table examples/scenes/laboratory.nml', 'the pendulums of a scene file'), &
+      example_type('table', 'kyvadlo table examples/scenes/laboratory.nml --divisions 360 --format csv', &
          'one period for another program'), &
-      example_type('table', 'kyvadlo table laboratory.nml --kind quad', 'with 32 digits'), &
+      example_type('table', 'kyvadlo table examples/scenes/laboratory.nml --kind quad', 'with 32 digits'), &
       example_type('table', 'kyvadlo table --upper -0.9:0.9:19 --lower -1:0:11', &
          'T, k, phi(T), lambda T over a grid'), &
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &

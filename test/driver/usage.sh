@@ -44,6 +44,18 @@ expect_match 'x86-64  *> 1/2  *place and velocity .*[0-9]'
 expect_match '^T alone .*[0-9]'
 expect_match '^separatrix  *1000 periods.*[0-9]'
 
+# The examples of the help run (those that measure, and the one that needs a file of requests, left out).
+run --help
+grep '^  kyvadlo ' out | grep -v -e bench -e '<' >examples
+checks=$((checks + 1))
+[ "$(wc -l <examples)" -ge 6 ] || complain 'at least six examples expected'
+while read -r line; do
+   command_line=$line
+   (cd "$top" && PATH=$(dirname "$program"):$PATH sh -c "$line") >out 2>err
+   status=$?
+   expect_status 0
+done <examples
+
 # The manual page and the completion come from the same tables as the help.
 run --manual-page
 expect_status 0
