@@ -1,0 +1,111 @@
+C     SOMEBODY ELSE'S OLD PROGRAM: FIXED FORM, COMMON, IMPLICIT
+C     INTERFACES, NOTHING FROM A MODULE. IT STOPS WITH 1 AT THE FIRST
+C     WRONG RESULT.
+      PROGRAM LEGACY
+      IMPLICIT DOUBLE PRECISION (A-H,O-Z)
+      PARAMETER (LWORK = 300, N = 1000)
+      COMMON /PENDUL/ EL, G, WORK(LWORK)
+      DIMENSION X(3), V(3), Z(3), GAP(7), T(N), XS(N), YS(N), ZS(N),
+     1          VX(N), VY(N), VZ(N)
+      CHARACTER*60 TEXT
+      EL = 1.5D0
+      G = 9.8D0
+      Z1 = 0.4D0
+      Z2 = -1.2D0
+      EPS = 1.0D-14
+C     PERIOD, AGAINST GAUSS'S MEAN
+      CALL KYVPER(EL, G, Z1, Z2, PER, IER)
+      IF (IER) 900, 10, 900
+   10 Z3 = -(Z1*Z2 + EL*EL)/(Z1 + Z2)
+      A = SQRT(Z3 - Z2)
+      B = SQRT(Z3 - Z1)
+      DO 20 I = 1, 6
+         C = (A + B)/2
+         B = SQRT(A*B)
+   20 A = C
+      PI = 4*ATAN(1.0D0)
+      CALL CHECK('PERIOD', PER, PI*EL*SQRT(2/G)/A, EPS*PER)
+C     ROOTS WITH GAPS, FROM ENERGY AND ANGULAR MOMENTUM
+      C1 = G*(Z1 + Z2 + Z3)
+      C2 = SQRT(-2*G*(Z1 + Z2)*(Z1 + Z3)*(Z2 + Z3))
+      CALL KYVROO(EL, G, C1, C2, Z, GAP, IER)
+      IF (IER .NE. 0) GOTO 900
+      CALL CHECK('Z1', Z(1), Z1, 8*EPS)
+      CALL CHECK('Z2', Z(2), Z2, 8*EPS)
+      CALL CHECK('Z3', Z(3), Z3, 8*EPS)
+      CALL CHECK('L-Z1', GAP(1), EL - Z1, 8*EPS)
+      CALL CHECK('L+Z2', GAP(4), EL + Z2, 8*EPS)
+      CALL CHECK('Z1-Z2', GAP(6), Z1 - Z2, 8*EPS)
+C     SET-UP ONCE; THE UPPER TURNING POINT AT T = 0, THE LOWER AT T/2
+      CALL KYVSET(EL, G, Z1, Z2, WORK, LWORK, IER)
+      IF (IER .NE. 0) GOTO 900
+      CALL KYVPOS(WORK, 0.0D0, X, V, IER)
+      IF (IER .NE. 0) GOTO 900
+      CALL CHECK('X(0)', X(1), SQRT(EL**2 - Z1**2), EPS)
+      CALL CHECK('Y(0)', X(2), 0.0D0, EPS)
+      CALL CHECK('Z(0)', X(3), Z1, EPS)
+      CALL CHECK('VY(0)', V(2), C2/X(1), 8*EPS)
+      CALL KYVPOS(WORK, PER/2, X, V, IER)
+      CALL CHECK('Z(T/2)', X(3), Z2, EPS)
+      CALL KYVAZI(WORK, PER/2, PHI, IER)
+      CALL CHECK('TAN PHI', X(2), SQRT(EL**2 - Z2**2)*SIN(PHI), EPS)
+C     MANY TIMES: THE SPHERE, THE ENERGY, AND WHAT ONE TIME GIVES
+      DO 30 I = 1, N
+   30 T(I) = 0.37D0*I
+      CALL KYVMNY(WORK, N, T, XS, YS, ZS, IER)
+      IF (IER .NE. 0) GOTO 900
+      CALL KYVMNV(WORK, N, T, XS, YS, ZS, VX, VY, VZ, IER)
+      IF (IER .NE. 0) GOTO 900
+      DO 40 I = 1, N
+         R = XS(I)**2 + YS(I)**2 + ZS(I)**2
+         CALL CHECK('SPHERE', R, EL*EL, 4*EPS)
+         E = (VX(I)**2 + VY(I)**2 + VZ(I)**2)/2 + G*ZS(I)
+         CALL CHECK('ENERGY', E, C1, 100*EPS)
+         CALL KYVPOS(WORK, T(I), X, V, IER)
+         CALL CHECK('X', XS(I), X(1), EPS)
+         CALL CHECK('Y', YS(I), X(2), EPS)
+   40 CALL CHECK('Z', ZS(I), X(3), EPS)
+C     FROM A STATE: IT COMES BACK AT T = 0
+      CALL KYVPOS(WORK, 0.7D0, X, V, IER)
+      CALL KYVSTA(EL, G, X, V, WORK, LWORK, IER)
+      IF (IER .NE. 0) GOTO 900
+      X1 = X(1)
+      CALL KYVPOS(WORK, 0.0D0, X, V, IER)
+      CALL CHECK('STATE', X(1), X1, EPS)
+      CALL KYVGAP(EL, G, 1.1D0, 0.3D0, WORK, LWORK, IER)
+      IF (IER .NE. 0) GOTO 900
+      CALL KYVPOS(WORK, PER/2, X, V, IER)
+      CALL CHECK('GAPS', X(3), Z2, 4*EPS)
+      CALL KYVENE(EL, G, C1, C2, WORK, LWORK, IER)
+      IF (IER .NE. 0) GOTO 900
+C     WRONG CALLS SAY SO
+      CALL KYVSET(EL, G, Z2, Z1, WORK, LWORK, IER)
+      IF (IER .EQ. 0) GOTO 910
+      CALL KYVPOS(WORK, 0.0D0, X, V, IER)
+      IF (IER .NE. 12) GOTO 910
+      IF (X(1) .EQ. X(1)) GOTO 910
+      CALL KYVSET(EL, G, Z1, Z2, WORK, 299, IER)
+      IF (IER .NE. 11) GOTO 910
+      CALL KYVPOS(WORK, 0.0D0, X, V, IER)
+      IF (IER .NE. 12) GOTO 910
+      CALL KYVSET(EL, G, Z1, Z2, WORK, LWORK, IER)
+      CALL KYVMNY(WORK, -1, T, XS, YS, ZS, IER)
+      IF (IER .NE. 13) GOTO 910
+      CALL KYVMSG(11, TEXT)
+      IF (TEXT(1:4) .NE. 'WORK') GOTO 910
+      WRITE (*, *) 'LEGACY: ALL AS EXPECTED'
+      STOP
+  900 CALL KYVMSG(IER, TEXT)
+      WRITE (*, *) 'LEGACY: IER = ', IER, ' ', TEXT
+      STOP 1
+  910 WRITE (*, *) 'LEGACY: A WRONG CALL WAS NOT REFUSED, IER = ', IER
+      STOP 1
+      END
+
+      SUBROUTINE CHECK(NAME, GOT, WANT, TOL)
+      DOUBLE PRECISION GOT, WANT, TOL
+      CHARACTER*(*) NAME
+      IF (ABS(GOT - WANT) .LE. TOL) RETURN
+      WRITE (*, *) 'LEGACY: ', NAME, ' IS ', GOT, ' NOT ', WANT
+      STOP 1
+      END
