@@ -2,7 +2,7 @@
 !>
 !> The struct is the bytes of the Fortran type in room to spare; only functions of the same version of the library may read it.
 module kyvadlo_c_orbits
-   use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t, c_char, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t, c_char, c_null_char, c_f_pointer, c_loc
    use kyvadlo
    implicit none
    private
@@ -13,7 +13,7 @@ module kyvadlo_c_orbits
    public :: kyvadlo_orbit_from_energy_above_top
    public :: kyvadlo_orbit_from_energy_above_bottom
    public :: kyvadlo_orbit_from_release
-   public :: kyvadlo_orbit_from_state, kyvadlo_locate, kyvadlo_locate_many, kyvadlo_turning
+   public :: kyvadlo_orbit_from_state, kyvadlo_orbit_bytes, kyvadlo_locate, kyvadlo_locate_many, kyvadlo_turning
    public :: kyvadlo_height_period
    public :: kyvadlo_modulus
    public :: kyvadlo_complementary_modulus
@@ -189,44 +189,56 @@ contains
    end function kyvadlo_orbit_from_state
 
    !> z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l.
-   pure subroutine kyvadlo_turning(orbit, values) bind(c)
-      type(c_orbit_type), intent(in) :: orbit
+   !> z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l.
+   subroutine kyvadlo_turning(orbit, values) bind(c)
+      type(c_orbit_type), intent(in), target :: orbit
       real(c_double), intent(out) :: values(8)
-      type(orbit_type) :: own
+      type(orbit_type), pointer :: own
 
-      own = taken(orbit)
+      own => seen(orbit)
       associate (t => own%turning)
          values = [t%lower, t%upper, t%outer, t%lower_rise, t%top_gap, t%swing, t%outer_gap, t%outer_excess]
       end associate
    end subroutine kyvadlo_turning
 
-   pure subroutine kyvadlo_locate(orbit, time, position, velocity) bind(c)
-      type(c_orbit_type), intent(in) :: orbit
+   subroutine kyvadlo_locate(orbit, time, position, velocity) bind(c)
+      type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: time
       real(c_double), intent(out) :: position(3), velocity(3)
 
-      call locate(taken(orbit), time, position, velocity)
+      call locate(seen(orbit), time, position, velocity)
    end subroutine kyvadlo_locate
 
-   pure subroutine kyvadlo_locate_many(orbit, count, times, positions, velocities) bind(c)
-      type(c_orbit_type), intent(in) :: orbit
+   !> By the vector kernels, and by threads where the library has them: `locate_many`.
+   subroutine kyvadlo_locate_many(orbit, count, times, positions, velocities) bind(c)
+      type(c_orbit_type), intent(in), target :: orbit
       integer(c_size_t), value :: count
       real(c_double), intent(in) :: times(count)
       real(c_double), intent(out) :: positions(3, count), velocities(3, count)
-      type(orbit_type) :: own
-      integer(c_size_t) :: i
+      !> `locate_many` counts in default integers: longer arrays go in pieces.
+      integer(c_size_t), parameter :: longest = 2**28
+      integer(c_size_t) :: start, last
 
-      own = taken(orbit)
-      do i = 1, count
-         call locate(own, times(i), positions(:, i), velocities(:, i))
+      do start = 1, count, longest
+         last = min(count, start + longest - 1)
+         call locate_many(seen(orbit), times(start:last), positions(:, start:last), velocities(:, start:last))
       end do
    end subroutine kyvadlo_locate_many
 
-   pure type(orbit_type) function taken(orbit) result(own)
-      type(c_orbit_type), intent(in) :: orbit
+   !> For languages that cannot read the size of the struct from kyvadlo.h.
+   pure integer(c_size_t) function kyvadlo_orbit_bytes() result(bytes) bind(c)
+      type(c_orbit_type) :: orbit
 
-      own = transfer(orbit%hidden, own)
-   end function taken
+      bytes = storage_size(orbit, c_size_t)/8
+   end function kyvadlo_orbit_bytes
+
+   !> The orbit whose bytes the struct holds, in place: 1.7 kB are not copied for one value.
+   function seen(orbit) result(own)
+      type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
+
+      call c_f_pointer(c_loc(orbit), own)
+   end function seen
 
    !> Packs an orbit, or a code and a message that ends within the caller's buffer. Code 0: no error; the others as `code_*` of
    !> kyvadlo_status.

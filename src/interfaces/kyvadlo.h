@@ -60,6 +60,9 @@ void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, do
 /* An orbit. Its contents belong to the version of the library that made it. */
 typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
 
+/* sizeof(kyvadlo_orbit), for languages that do not read this file. */
+size_t kyvadlo_orbit_bytes(void);
+
 /* Codes of the functions that set up an orbit. */
 enum {
   KYVADLO_OK = 0,     /* the orbit is set up */
@@ -122,7 +125,8 @@ double kyvadlo_time_to_height(const kyvadlo_orbit *orbit, double z); /* first t 
 double kyvadlo_time_to_rise(const kyvadlo_orbit *orbit, double rise); /* first t >= 0 at the rise l + z [s] */
 double kyvadlo_time_to_azimuth(const kyvadlo_orbit *orbit, double phi); /* first t >= 0 at the azimuth phi [s] */
 double kyvadlo_next_turning_time(const kyvadlo_orbit *orbit, double t); /* first turning point later than t [s] */
-/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]). */
+/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]):
+   there by vector kernels, and in threads where the arrays are long and the library was built with OpenMP. */
 void kyvadlo_locate(const kyvadlo_orbit *orbit, double t, double position[3], double velocity[3]);
 void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions, double *velocities);
 

@@ -1,0 +1,61 @@
+!> The apsidal angle of a million orbits, by all threads: between which limits does it lie, and where?
+!>
+!>    sweep [ORBITS]
+program sweep
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64
+   use kyvadlo, wp => real64
+   implicit none
+   real(wp), parameter :: pi = acos(-1.0_wp)
+   real(wp), allocatable :: angle(:)
+   character(len=40) :: text
+   integer :: orbits, status, i
+   integer(int64) :: start, finish, rate
+
+   orbits = 1000000
+   if (command_argument_count() > 0) then
+      call get_command_argument(1, text)
+      read (text, *, iostat=status) orbits
+      if (status /= 0 .or. orbits < 1) then
+         write (error_unit, '(a)') 'Usage: sweep [ORBITS]'
+         stop 2
+      end if
+   end if
+
+   allocate (angle(orbits))
+   call system_clock(start, rate)
+   ! Set-ups are pure and share nothing: the loop may run in any order, on any number of threads.
+   !$omp parallel do schedule(static)
+   do i = 1, orbits
+      angle(i) = apsidal_angle_of(i)
+   end do
+   call system_clock(finish)
+
+   if (.not. all(angle > pi/2 .and. angle < pi)) error stop 'an apsidal angle is not between pi/2 and pi'
+   print '(i0, a)', orbits, ' orbits, every apsidal angle between pi/2 and pi'
+   print '(a, f8.5, a, f8.5, a)', 'least ', minval(angle)/pi, ' pi, greatest ', maxval(angle)/pi, ' pi'
+   write (error_unit, '(f0.3, a)') real(finish - start, wp)/real(rate, wp), ' s'
+   deallocate (angle)
+
+contains
+
+   !> Orbit `i` of a sequence that fills the square of turning heights evenly (Kronecker, with the first two powers of the
+   !> inverse of the plastic number), folded onto its half where lower < upper and below upper + lower = 0.
+   pure real(wp) function apsidal_angle_of(i) result(angle)
+      integer, intent(in) :: i
+      real(wp), parameter :: steps(2) = [0.7548776662466927_wp, 0.5698402909980532_wp]
+      real(wp) :: gaps(2), top_gap, bottom_gap
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+
+      gaps = 2*modulo(i*steps, 1.0_wp)
+      ! l - z1 and l + z2: an orbit needs bottom_gap < top_gap <= 2 l - bottom_gap.
+      bottom_gap = minval(gaps)
+      top_gap = maxval(gaps)
+      if (top_gap + bottom_gap > 2) then
+         bottom_gap = 2 - maxval(gaps)
+         top_gap = 2 - minval(gaps)
+      end if
+      call new_orbit_from_gaps(orbit, 1.0_wp, 9.80665_wp, top_gap, bottom_gap, error)
+      angle = apsidal_angle(orbit)
+   end function apsidal_angle_of
+end program sweep
