@@ -1,7 +1,7 @@
 !> Random orbits of every hard regime against the library's own quadruple precision, and that against Newton's equations:
 !> prints the tables of doc/hard_cases.md.
 !>
-!>     hard_cases [COUNT]      (orbits a regime; 10000 if not given)
+!>     hard_cases [COUNT [SEED]]      (orbits a regime, 10000 if not given; another seed draws other orbits)
 !>
 !> Exit status 1 if a promise is broken.
 program hard_cases
@@ -16,16 +16,21 @@ program hard_cases
    !> How far the exponents of single precision reach, of those of double precision (37 of 307 decades).
    real(real64), parameter :: single_reach = 0.12_real64
    character(len=32) :: argument
-   integer :: count, status
+   integer :: count, seed, status
    logical :: broken
 
    count = 10000
+   seed = 1
    status = 0
    if (command_argument_count() > 0) then
       call get_command_argument(1, argument)
       read (argument, *, iostat=status) count
    end if
-   if (status /= 0 .or. count < 1) error stop 'usage: hard_cases [COUNT]'
+   if (command_argument_count() > 1 .and. status == 0) then
+      call get_command_argument(2, argument)
+      read (argument, *, iostat=status) seed
+   end if
+   if (status /= 0 .or. count < 1 .or. seed < 1) error stop 'usage: hard_cases [COUNT [SEED]]'
    broken = .false.
 
    call write_machine('cmake --build build/release --target hard_cases_page')
@@ -56,9 +61,9 @@ contains
       write (output_unit, '(a)') line
       do i = 1, size(regimes)
          if (single) then
-            call compare_orbits(trim(regimes(i)), count, single_reach, 1.0_real32, worst, refused)
+            call compare_orbits(trim(regimes(i)), count, seed, single_reach, 1.0_real32, worst, refused)
          else
-            call compare_orbits(trim(regimes(i)), count, 1.0_real64, 1.0_real64, worst, refused)
+            call compare_orbits(trim(regimes(i)), count, seed, 1.0_real64, 1.0_real64, worst, refused)
          end if
          line = '| '//title_of_regime(regimes(i))//' |'
          do j = 1, measures
