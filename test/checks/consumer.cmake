@@ -22,21 +22,41 @@ if(NOT EXISTS ${WORK}/prefix/share/doc/kyvadlo/LICENSE)
 endif()
 
 run(${CMAKE_COMMAND} -S ${SOURCE}/test/consumer -B ${WORK}/consumer -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
-  "-DCMAKE_Fortran_FLAGS=${FLAGS}")
+  "-DCMAKE_Fortran_FLAGS=${FLAGS}" "-DCMAKE_C_FLAGS=${C_FLAGS}" "-DCMAKE_CXX_FLAGS=${C_FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/consumer --output-on-failure --no-tests=error)
 
-# The same through pkg-config, where it is installed.
+# The same through pkg-config, where it is installed: Fortran with the run-time libraries of its compiler, C without; the C
+# compiler is told of the C library's mathematics only.
 find_program(PKG_CONFIG pkg-config)
 find_program(GFORTRAN gfortran)
+find_program(CC NAMES cc gcc)
+file(GLOB_RECURSE pc ${WORK}/prefix/*/kyvadlo.pc)
 if(PKG_CONFIG AND GFORTRAN)
-  file(GLOB_RECURSE pc ${WORK}/prefix/*/kyvadlo.pc)
   cmake_path(GET pc PARENT_PATH pc_folder)
-  set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs --static kyvadlo OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY
-    OUTPUT_STRIP_TRAILING_WHITESPACE)
-  separate_arguments(flags UNIX_COMMAND "${FLAGS} ${flags}")
   cmake_path(GET pc_folder PARENT_PATH libraries)
-  run(${GFORTRAN} -o ${WORK}/by_pkg_config ${SOURCE}/test/consumer/with_everything.f90 ${flags} -Wl,-rpath,${libraries})
-  run(${WORK}/by_pkg_config)
+  set(ENV{PKG_CONFIG_PATH} ${pc_folder})
+  set(static --static)
+  if(SHARED)
+    set(static "")
+  endif()
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${static} kyvadlo OUTPUT_VARIABLE found COMMAND_ERROR_IS_FATAL ANY
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  foreach(source with_everything.f90 legacy.f)
+    separate_arguments(flags UNIX_COMMAND "${FLAGS} ${found}")
+    run(${GFORTRAN} -o ${WORK}/by_pkg_config ${SOURCE}/test/consumer/${source} ${flags} -Wl,-rpath,${libraries})
+    run(${WORK}/by_pkg_config)
+  endforeach()
+  if(CC)
+    separate_arguments(flags UNIX_COMMAND "${C_FLAGS} ${found}")
+    run(${CC} -o ${WORK}/by_pkg_config_c ${SOURCE}/examples/c/orbit.c ${flags} -lm -Wl,-rpath,${libraries})
+    run(${WORK}/by_pkg_config_c)
+  endif()
+endif()
+
+# Python reaches the shared library through ctypes.
+find_program(PYTHON3 python3)
+if(SHARED AND PYTHON3)
+  file(GLOB_RECURSE library ${WORK}/prefix/*/libkyvadlo.so)
+  run(${PYTHON3} ${SOURCE}/examples/python/orbit.py ${library} ${WORK}/orbit.png)
 endif()
