@@ -42,6 +42,7 @@ module kyvadlo_string
    !> The whole motion, set up once; read-only after that.
    type :: string_motion_type
       real(wp) :: length = 0, gravity = 0                  !! [m], [m/s2]
+      real(wp) :: until = -1                               !! The motion is known from 0 to this time [s]
       type(string_piece_type), allocatable :: pieces(:)
       type(string_event_type), allocatable :: events(:)    !! events(i) lies between pieces(i) and pieces(i+1)
       logical :: is_complete = .true.                      !! .false.: ended at the largest number of events
@@ -66,13 +67,15 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(string_piece_type) :: piece
       type(string_event_type) :: event
+      character(len=24) :: got
       integer :: count
 
       motion%length = length
       motion%gravity = gravity
       allocate (motion%pieces(8), motion%events(8))
       if (.not. (restitution >= 0 .and. restitution <= 1)) then
-         call fail(error, code_domain, 'string: restitution must lie between 0 and 1')
+         write (got, '(es10.3)') restitution
+         call fail(error, code_domain, 'string: restitution must lie between 0 and 1, got '//trim(adjustl(got)))
          return
       end if
       ! The set-up checks the rest, and puts the start exactly on the sphere.
@@ -100,6 +103,7 @@ contains
       end do
       motion%pieces = motion%pieces(:count + 1)
       motion%events = motion%events(:count)
+      motion%until = merge(duration, piece%start, motion%is_complete)
    end subroutine new_string_motion
 
    !> The end of a taut piece: the flight that follows. The event's time is NaN if the string stays taut.
@@ -184,16 +188,22 @@ contains
       end associate
    end function flight_time
 
-   !> Position, velocity and tension over mass at a time within the motion.
+   !> Position, velocity and tension over mass at a time within the motion; NaN outside it, and of a motion that failed.
    pure subroutine locate_on_string(motion, time, position, velocity, tension)
       type(string_motion_type), intent(in) :: motion
-      real(wp), intent(in) :: time              !! 0 to the duration [s]
+      real(wp), intent(in) :: time              !! 0 to the duration, of an incomplete motion to its last event [s]
       real(wp), intent(out) :: position(3)      !! [m]
       real(wp), intent(out) :: velocity(3)      !! [m/s]
       real(wp), intent(out) :: tension          !! Per mass [m/s2]; zero in flight
       integer :: low, high, middle
       real(wp) :: since
 
+      if (.not. (time >= 0 .and. time <= motion%until)) then
+         tension = ieee_value(tension, ieee_quiet_nan)
+         position = tension
+         velocity = tension
+         return
+      end if
       low = 1
       high = size(motion%pieces)
       do while (low < high)
