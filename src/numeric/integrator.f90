@@ -4,7 +4,7 @@
 !> requested time the state is put back on it, which removes what the steps between have let slip.
 module kyvadlo_integrator
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_long, c_ptr, c_size_t
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type, applied_acceleration, drag_acceleration, pivot_acceleration
@@ -51,17 +51,18 @@ contains
       integer(c_int) :: status
       integer :: i
 
-      positions = 0
-      velocities = 0
-      tensions = 0
-      drag_work = 0
-      pivot_work = 0
+      drag_work = ieee_value(drag_work, ieee_quiet_nan)
+      pivot_work = ieee_value(pivot_work, ieee_quiet_nan)
+      tensions = ieee_value(tensions, ieee_quiet_nan)
+      positions = ieee_value(positions, ieee_quiet_nan)
+      velocities = ieee_value(velocities, ieee_quiet_nan)
       if (.not. (length > 0 .and. gravity > 0 .and. ieee_is_finite(length) .and. ieee_is_finite(gravity))) then
-         call fail(error, code_domain, 'integrate: length and gravity must be positive and finite')
+         call fail(error, code_domain, 'integrate: length and gravity must be positive and finite, got'//listed([length, gravity]))
       else if (.not. (tolerance >= 1e-15_wp .and. tolerance <= 0.1_wp)) then
-         call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1')
+         call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1, got'//listed([tolerance]))
       else if (.not. abs(norm2(start_position) - length) <= 1e-12_wp*length) then
-         call fail(error, code_domain, 'integrate: the start must lie on the sphere')
+         call fail(error, code_domain, 'integrate: the start must lie on the sphere, got the distance and the length'// &
+            listed([norm2(start_position), length]))
       else if (size(times) > 0) then
          if (.not. (times(1) >= 0 .and. all(times(2:) >= times(:size(times) - 1)) .and. all(ieee_is_finite(times)))) &
             call fail(error, code_domain, 'integrate: the times must ascend from 0')
@@ -102,6 +103,14 @@ contains
       call fgsl_odeiv2_driver_free(driver)
       call fgsl_odeiv2_system_free(system)
    end subroutine integrate
+
+   !> Numbers for a message, a blank before each.
+   pure function listed(numbers) result(text)
+      real(wp), intent(in) :: numbers(:)
+      character(len=24*size(numbers)) :: text
+
+      write (text, '(*(es24.16))') numbers
+   end function listed
 
    !> The nearest point of the unit sphere, and of its tangent plane there.
    pure subroutine put_on_sphere(y)
