@@ -1,6 +1,7 @@
 !> Carlson's integrals of the second kind RD and RG in the three kinds.
 module kyvadlo_carlson_rd_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
+   use kyvadlo_carlson_rf, only:  ! for fpm, which does not look into what is included
 #include "carlson_rd.inc"
 end module kyvadlo_carlson_rd_real32
 

@@ -2,6 +2,8 @@
 !> of the coefficients below one another, for which real32 has no room in its exponents.
 module kyvadlo_cubic_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, xp => real64
+   use kyvadlo_exact_sign, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
 #include "cubic.inc"
 end module kyvadlo_cubic_real32
 

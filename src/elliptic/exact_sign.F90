@@ -1,6 +1,7 @@
 !> The exact sign of a sum of products, in real64 and real128.
 module kyvadlo_exact_sign_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
 #include "exact_sign.inc"
 end module kyvadlo_exact_sign_real64
 

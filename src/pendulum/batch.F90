@@ -3,6 +3,10 @@
 !> `batch.inc` holds the public procedures, `batch_block.inc` what happens to a block, `batch_loop.inc` the kernels.
 module kyvadlo_batch_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real64, int64
+   use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_batch_dispatch, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_orbit_real32
    use kyvadlo_motion_real32
 #define orbit_type orbit_type_real32

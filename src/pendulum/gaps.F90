@@ -3,6 +3,8 @@
 !> (5)-(11), [S6.1], [S6.4]. `wp` is the caller's kind, `cp` the kind that computes: real32 computes in real64.
 module kyvadlo_gaps_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
+   use kyvadlo_status, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
 #define gaps_type gaps_type_real32
 #include "gaps.inc"
 #include "gaps_state.inc"

@@ -5,6 +5,8 @@
 
 module kyvadlo_motion_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
+   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_orbit_real32
    use kyvadlo_batch_kernel_single
 #define has_kernel

@@ -3,6 +3,9 @@
 !> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64. The second
 !> template, `orbit_series.inc`, sets up the theta series.
 module kyvadlo_motion_kinds
+   use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_status, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    implicit none
    private
    public :: motion_none, motion_generic, motion_conical, motion_plane_libration, motion_plane_rotation, &

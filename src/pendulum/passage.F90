@@ -4,6 +4,8 @@
 #define orbit_type orbit_type_real32
 module kyvadlo_passage_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
+   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_orbit_real32, only: orbit_type
    use kyvadlo_motion_real32, only: place, azimuth, azimuth_of, orbit_momentum
 #include "passage.inc"

@@ -5,6 +5,9 @@
 #define orbit_type orbit_type_real32
 module kyvadlo_state_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
+   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_status, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_gaps_real32, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real32, only: orbit_type, set_up
    use kyvadlo_motion_real32, only: place, azimuth

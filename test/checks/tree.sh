@@ -41,5 +41,27 @@ wide=$(files src test examples | grep -E '\.(f90|F90|inc|pf|c|h)$' | grep -v coe
    xargs -0 -r awk 'length($0) > 140 { print FILENAME ":" FNR ": " length($0) " columns" }')
 [ -z "$wide" ] || { printf 'lines over 140 columns:\n%s\n' "$wide"; breaches=$((breaches + 1)); }
 
+# fpm finds the modules that a source uses in the source only, not in what it includes: they must be named there too.
+unnamed=$(for source in src/elliptic/*.F90 src/pendulum/*.F90; do
+   folder=${source%/*}
+   included=$(sed -n 's/^#include "\(.*\)"/\1/p' "$source" | sort -u)
+   while :; do   # what the included files include
+      more=$(for name in $included; do echo "$name"; [ ! -f "$folder/$name" ] || sed -n 's/^#include "\(.*\)"/\1/p' "$folder/$name"; done | sort -u)
+      [ "$more" != "$included" ] || break
+      included=$more
+   done
+   for name in $included; do
+      [ -f "$folder/$name" ] || continue
+      sed -n 's/^ *use \(kyvadlo_[a-z0-9_]*\).*/\1/p' "$folder/$name" | while read -r module; do
+         grep -E -q "^ *(use|module) $module\\b" "$source" || echo "$source: use $module, only:"
+      done
+   done | sort -u
+done)
+[ -z "$unnamed" ] || { printf 'modules used by included files only:\n%s\n' "$unnamed"; breaches=$((breaches + 1)); }
+
+# One version: fpm cannot read it from CMake.
+version=$(sed -n 's/^project(kyvadlo VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+grep -q "^version = \"$version\"$" fpm.toml || { echo "fpm.toml is not of version $version"; breaches=$((breaches + 1)); }
+
 [ "$breaches" -eq 0 ] || exit 1
 echo "$count files, no breach"
