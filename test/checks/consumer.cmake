@@ -2,7 +2,8 @@
 #
 #   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -DFLAGS=<Fortran flags> -DC_FLAGS=<...>
 #         -DBUILD=<built tree>                      the static or shared libraries of that tree, or
-#         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised     -P consumer.cmake
+#         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised
+#         -DDPKG_DEB=<program>                      what the Debian package would install, unpacked  -P consumer.cmake
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -15,8 +16,16 @@ if(SHARED)
     -DKYVADLO_WITH_GSL=${WITH_GSL} -DCMAKE_BUILD_TYPE=None "-DCMAKE_Fortran_FLAGS=${FLAGS} -O0" "-DCMAKE_C_FLAGS=${C_FLAGS}")
   run(${CMAKE_COMMAND} --build ${BUILD})
 endif()
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
-file(RENAME ${WORK}/first ${WORK}/prefix)
+if(DPKG_DEB)
+  run(${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/package)
+  file(GLOB package ${WORK}/package/*.deb)
+  run(${DPKG_DEB} --info ${package})
+  run(${DPKG_DEB} --extract ${package} ${WORK}/unpacked)
+  file(RENAME ${WORK}/unpacked/usr ${WORK}/prefix)
+else()
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+  file(RENAME ${WORK}/first ${WORK}/prefix)
+endif()
 if(NOT EXISTS ${WORK}/prefix/share/doc/kyvadlo/LICENSE)
   message(FATAL_ERROR "the licence is not installed")
 endif()

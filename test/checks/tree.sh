@@ -14,7 +14,7 @@ breaches=0
 # refuse WHAT EXTENDED_REGEX PATH...: no file under these paths may have such a line. `[x]` keeps this script clean itself.
 refuse() {
    what=$1; pattern=$2; shift 2
-   found=$(files "$@" | tr '\n' '\0' | xargs -0 -r grep -n -I -i -E -e "$pattern" /dev/null)
+   found=$(files "$@" | tr '\n' '\0' | xargs -0 -r grep -s -n -I -i -E -e "$pattern" /dev/null)
    if [ -n "$found" ]; then
       printf '%s:\n%s\n' "$what" "$found"
       breaches=$((breaches + 1))
