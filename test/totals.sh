@@ -26,5 +26,5 @@ done | awk '
    /^Tests run: [0-9]+, Failures: / {                                                                # pFUnit, failures
       reported = 1; gsub(/[^0-9 ]/, ""); failed_here = $2 + $3; passed_here = $1 - failed_here
    }
-   /^Test Passed\./ { ok = 1 }
+   /^Test (Passed\.|Pass Reason:)/ { ok = 1 }
    END { close_test(); printf "%d passed, %d failed\n", passed, failed }'
