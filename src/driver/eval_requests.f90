@@ -48,8 +48,8 @@ module kyvadlo_eval_requests
       request_type('Bincc', 'phi mc', 'B', incomplete_domain), &
       request_type('Piinc', 'n phi m', 'Pi', incomplete_domain), &
       request_type('Piincc', 'n phi mc', 'Pi', incomplete_domain), &
-      request_type('nome', 'm', 'q', '0 <= m <= 1'), &
-      request_type('nomec', 'mc', 'q', '0 <= mc <= 1'), &
+      request_type('nome', 'm', 'q', 'm <= 1'), &
+      request_type('nomec', 'mc', 'q', 'mc >= 0'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
       request_type('jacobic', 'u mc', 'sn cn dn am', 'u and mc finite'), &
       request_type('zeta', 'u m', 'Z', 'm <= 1'), &
