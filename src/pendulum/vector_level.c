@@ -1,5 +1,8 @@
 /* Which of the batch kernels the processor can run: 0 baseline, 1 x86-64-v3, 2 x86-64-v4. The compiler's run-time knows the
    processor and whether the operating system keeps the wide registers. */
+#if defined(__GNUC__)
+__attribute__((visibility("hidden")))
+#endif
 int kyvadlo_vector_level(void)
 {
 #if defined(__GNUC__) && defined(__x86_64__)
