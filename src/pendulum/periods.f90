@@ -1,5 +1,6 @@
 !> The period alone, without setting up an orbit: of one orbit or of many.
 module kyvadlo_periods
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real64
    use kyvadlo_batch_constants, only: block_size, group_size
    use kyvadlo_batch_kernel_single, only: period_point
@@ -56,5 +57,7 @@ contains
       power = exponent(length)/2
       unit = scale(1.0_real64, -2*power)
       factor = root_two_pi*(length*unit)/sqrt(gravity)*scale(1.0_real64, power)
+      ! Without gravity, or with an infinite one, there is no period: the set-ups refuse both.
+      if (.not. (gravity > 0 .and. gravity <= huge(gravity))) factor = ieee_value(factor, ieee_quiet_nan)
    end subroutine scale_lengths
 end module kyvadlo_periods
