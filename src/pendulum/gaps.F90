@@ -7,6 +7,7 @@ module kyvadlo_gaps_real32
    use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
 #define gaps_type gaps_type_real32
 #include "gaps.inc"
+#include "gaps_energy.inc"
 #include "gaps_state.inc"
 #undef gaps_type
 end module kyvadlo_gaps_real32
@@ -14,6 +15,7 @@ end module kyvadlo_gaps_real32
 module kyvadlo_gaps_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
 #include "gaps.inc"
+#include "gaps_energy.inc"
 #include "gaps_state.inc"
 end module kyvadlo_gaps_real64
 
@@ -24,6 +26,7 @@ module kyvadlo_gaps_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
 #define gaps_type gaps_type_real128
 #include "gaps.inc"
+#include "gaps_energy.inc"
 #include "gaps_state.inc"
 #undef gaps_type
 end module kyvadlo_gaps_real128
