@@ -451,6 +451,10 @@ def start(name, pick, bits):
     return [l, g]+[rounded(l*u, bits) for u in (x, y, z)]+[rounded(speed*u, bits) for u in (vx, vy, vz)]
 
 
+# Starts that no other input has: 300 rows at the poles, 300 at rest.
+STATE_ROWS = {'exact': 30, 'bottom_pole': 150, 'top_pole': 150, 'released_at_rest': 300}
+
+
 def write_state():
     pick = random.Random('state')
 
@@ -459,7 +463,7 @@ def write_state():
     lines = []
     for bits in (64, 32, 128):
         for name in STATES:
-            for number in range((12 if name != 'exact' else 30) if bits == 64 else 3):
+            for number in range(STATE_ROWS.get(name, 12) if bits == 64 else 3):
                 arguments = start(name, pick, bits)
                 with mp.workdps(200):
                     motion = exact.Motion(*arguments)
