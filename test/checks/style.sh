@@ -1,10 +1,11 @@
 #!/bin/sh
-# Indentation by findent and lint by fortitude, each where it is installed; exit status 77 where neither is.
+# Indentation by findent, lint by fortitude and of the shell scripts by shellcheck, each where it is installed; exit status 77
+# where none is.
 #
 #   style.sh TOP             says what differs
 #   style.sh TOP --write     indents the sources
 #
-# findent: apt-get install findent, or pip install findent; fortitude: pip install fortitude-lint.
+# findent: apt-get install findent, or pip install findent; fortitude: pip install fortitude-lint; apt-get install shellcheck.
 set -u
 cd "$1" || exit 1
 write=${2-}
@@ -44,5 +45,13 @@ if command -v fortitude >/dev/null 2>&1; then
       --output-format concise src examples 2>&1 || breaches=$((breaches + 1))
 fi
 
-[ "$tools" -ne 0 ] || { echo 'neither findent nor fortitude is installed: nothing checked'; exit 77; }
+if command -v shellcheck >/dev/null 2>&1; then
+   tools=1
+   # Not for us: SC2044 and SC2010 (no name here holds a blank); expect.sh is sourced, and sets variables for who does so (SC2034).
+   shellcheck --shell=sh --severity=warning --exclude=SC2010,SC2034,SC2044 bootstrap test/*.sh test/*/*.sh && echo 'shellcheck: done' ||
+      breaches=$((breaches + 1))
+   shellcheck --severity=warning .ci/run || breaches=$((breaches + 1))
+fi
+
+[ "$tools" -ne 0 ] || { echo 'none of findent, fortitude, shellcheck is installed: nothing checked'; exit 77; }
 [ "$breaches" -eq 0 ]
