@@ -46,6 +46,10 @@ contains
          do i = 1, size(x, 1)
             out(i, 1) = fgsl_sf_ellint_ecomp(x(i, 1), fgsl_prec_double)
          end do
+      case (id_d)
+         do i = 1, size(x, 1)
+            out(i, 1) = gsl_sf_ellint_dcomp(x(i, 1))
+         end do
       case (id_pi)
          do i = 1, size(x, 1)
             out(i, 1) = fgsl_sf_ellint_pcomp(x(i, 2), -x(i, 1), fgsl_prec_double)

@@ -6,6 +6,7 @@ module kyvadlo_gsl_ode
    private
    public :: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free
    public :: fgsl_odeiv2_step_type, fgsl_odeiv2_step_rk8pd, fgsl_odeiv2_step_msbdf, fgsl_odeiv2_step_msadams
+   public :: fgsl_odeiv2_step_rk4, fgsl_odeiv2_step_rkf45, fgsl_odeiv2_step_bsimp
    public :: fgsl_odeiv2_driver, fgsl_odeiv2_driver_alloc_y_new, fgsl_odeiv2_driver_apply, fgsl_odeiv2_driver_reset
    public :: fgsl_odeiv2_driver_set_nmax, fgsl_odeiv2_driver_set_hmin, fgsl_odeiv2_driver_set_hmax
    public :: fgsl_odeiv2_driver_free
@@ -31,6 +32,10 @@ module kyvadlo_gsl_ode
    type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_rk8pd = fgsl_odeiv2_step_type(1)
    type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_msbdf = fgsl_odeiv2_step_type(2)
    type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_msadams = fgsl_odeiv2_step_type(3)
+   type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_rk4 = fgsl_odeiv2_step_type(4)
+   type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_rkf45 = fgsl_odeiv2_step_type(5)
+   !> Bulirsch and Stoer's with Bader and Deuflhard's implicit midpoint rule: needs the Jacobian.
+   type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_bsimp = fgsl_odeiv2_step_type(6)
 
    !> An integration in progress.
    type :: fgsl_odeiv2_driver

@@ -8,6 +8,8 @@ module kyvadlo_gsl_quadrature
    public :: fgsl_integration_qag, fgsl_integ_gauss61
    public :: fgsl_integration_cquad_workspace, fgsl_integration_cquad_workspace_alloc
    public :: fgsl_integration_cquad_workspace_free, fgsl_integration_cquad
+   public :: fgsl_integration_glfixed_table, fgsl_integration_glfixed_table_alloc, fgsl_integration_glfixed_table_free
+   public :: fgsl_integration_glfixed, fgsl_integration_glfixed_point
 
    !> The 61-point Gauss-Kronrod rule for fgsl_integration_qag.
    integer(c_int), parameter :: fgsl_integ_gauss61 = 6
@@ -33,6 +35,12 @@ module kyvadlo_gsl_quadrature
       private
       type(c_ptr) :: p = c_null_ptr
    end type fgsl_integration_cquad_workspace
+
+   !> Nodes and weights of a Gauss-Legendre rule.
+   type :: fgsl_integration_glfixed_table
+      private
+      type(c_ptr) :: p = c_null_ptr
+   end type fgsl_integration_glfixed_table
 
    abstract interface
       !> Must be a module procedure: an internal one would need an executable stack.
@@ -82,6 +90,30 @@ module kyvadlo_gsl_quadrature
          integer(c_size_t), intent(out) :: n
          integer(c_int) :: status
       end function gsl_cquad
+      function gsl_glfixed_alloc(n) bind(c, name='gsl_integration_glfixed_table_alloc') result(t)
+         import :: c_ptr, c_size_t
+         integer(c_size_t), value :: n
+         type(c_ptr) :: t
+      end function gsl_glfixed_alloc
+      subroutine gsl_glfixed_free(t) bind(c, name='gsl_integration_glfixed_table_free')
+         import :: c_ptr
+         type(c_ptr), value :: t
+      end subroutine gsl_glfixed_free
+      function gsl_glfixed(f, a, b, t) bind(c, name='gsl_integration_glfixed') result(value)
+         import :: c_double, c_ptr, gsl_function_type
+         type(gsl_function_type), intent(in) :: f
+         real(c_double), value :: a, b
+         type(c_ptr), value :: t
+         real(c_double) :: value
+      end function gsl_glfixed
+      function gsl_glfixed_point(a, b, i, xi, wi, t) bind(c, name='gsl_integration_glfixed_point') result(status)
+         import :: c_double, c_int, c_ptr, c_size_t
+         real(c_double), value :: a, b
+         integer(c_size_t), value :: i
+         real(c_double), intent(inout) :: xi, wi
+         type(c_ptr), value :: t
+         integer(c_int) :: status
+      end function gsl_glfixed_point
    end interface
 
 contains
@@ -146,5 +178,37 @@ contains
       integer(c_int) :: status
       status = gsl_cquad(f%p, a, b, epsabs, epsrel, workspace%p, result, abserr, nevals)
    end function fgsl_integration_cquad
+
+   !> The Gauss-Legendre rule of n nodes.
+   function fgsl_integration_glfixed_table_alloc(n) result(t)
+      integer(c_size_t), intent(in) :: n
+      type(fgsl_integration_glfixed_table) :: t
+      t%p = gsl_glfixed_alloc(n)
+   end function fgsl_integration_glfixed_table_alloc
+
+   subroutine fgsl_integration_glfixed_table_free(t)
+      type(fgsl_integration_glfixed_table), intent(inout) :: t
+      if (c_associated(t%p)) call gsl_glfixed_free(t%p)
+      t%p = c_null_ptr
+   end subroutine fgsl_integration_glfixed_table_free
+
+   !> The rule applied to f from a to b.
+   function fgsl_integration_glfixed(f, a, b, t) result(value)
+      type(fgsl_function), intent(in) :: f
+      real(c_double), intent(in) :: a, b
+      type(fgsl_integration_glfixed_table), intent(in) :: t
+      real(c_double) :: value
+      value = gsl_glfixed(f%p, a, b, t%p)
+   end function fgsl_integration_glfixed
+
+   !> Node and weight of number i = 0 ... n - 1 of the rule from a to b.
+   function fgsl_integration_glfixed_point(a, b, i, xi, wi, t) result(status)
+      real(c_double), intent(in) :: a, b
+      integer(c_size_t), intent(in) :: i
+      real(c_double), intent(inout) :: xi, wi
+      type(fgsl_integration_glfixed_table), intent(in) :: t
+      integer(c_int) :: status
+      status = gsl_glfixed_point(a, b, i, xi, wi, t%p)
+   end function fgsl_integration_glfixed_point
 
 end module kyvadlo_gsl_quadrature

@@ -6,18 +6,20 @@ module kyvadlo_gsl_special
    use, intrinsic :: iso_c_binding, only: c_double, c_int
    implicit none
    private
-   public :: fgsl_mode_t, fgsl_prec_double, fgsl_sf_result
+   public :: fgsl_mode_t, fgsl_prec_double, fgsl_prec_single, fgsl_prec_approx, fgsl_sf_result
    public :: fgsl_sf_elljac_e, fgsl_sf_ellint_kcomp_e
    public :: fgsl_sf_ellint_kcomp, fgsl_sf_ellint_ecomp, fgsl_sf_ellint_pcomp, fgsl_sf_ellint_f
    public :: fgsl_sf_ellint_e, fgsl_sf_ellint_p, fgsl_sf_ellint_d, fgsl_sf_ellint_rc
    public :: fgsl_sf_ellint_rd, fgsl_sf_ellint_rf, fgsl_sf_ellint_rj
 
-   !> How exact GSL shall be.
+   !> How exact GSL shall be: relative errors of about 2e-16, 1e-7, 5e-4, as its manual says.
    type :: fgsl_mode_t
       private
       integer(c_int) :: mode = 0
    end type fgsl_mode_t
    type(fgsl_mode_t), parameter :: fgsl_prec_double = fgsl_mode_t(0)
+   type(fgsl_mode_t), parameter :: fgsl_prec_single = fgsl_mode_t(1)
+   type(fgsl_mode_t), parameter :: fgsl_prec_approx = fgsl_mode_t(2)
 
    !> A value with GSL's own estimate of its error.
    type, bind(c) :: fgsl_sf_result
