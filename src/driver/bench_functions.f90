@@ -7,6 +7,7 @@ module kyvadlo_bench_functions
    use kyvadlo_bench_values, only: our_values
    use kyvadlo_bench_gsl, only: gsl_values
    use kyvadlo_bench_boost, only: boost_values
+   use kyvadlo_stopwatch, only: median, nanoseconds_since
    implicit none
    private
    public :: bench_functions
@@ -155,32 +156,6 @@ contains
       columns = rows(row)%columns
       worst = real(maxval(abs(values(:, :columns) - exact(:, :columns))/unit(:, :columns)), real64)
    end function worst_error
-
-   function nanoseconds_since(start) result(time)
-      integer(int64), intent(in) :: start
-      real(real64) :: time
-      integer(int64) :: now, rate
-
-      call system_clock(now, rate)
-      time = real(now - start, real64)/real(rate, real64)*1e9_real64
-   end function nanoseconds_since
-
-   pure function median(values) result(middle)
-      real(real64), intent(in) :: values(:)
-      real(real64) :: middle, sorted(size(values)), swap
-      integer :: i, j
-
-      sorted = values
-      do i = 2, size(sorted)
-         swap = sorted(i)
-         do j = i - 1, 1, -1
-            if (sorted(j) <= swap) exit
-            sorted(j + 1) = sorted(j)
-         end do
-         sorted(j + 1) = swap
-      end do
-      middle = sorted((size(sorted) + 1)/2)
-   end function median
 
    !> The arguments of a row: benign ones, the same in every run.
    subroutine draw(row, x)

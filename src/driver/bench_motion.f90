@@ -8,6 +8,7 @@ module kyvadlo_bench_motion
    use kyvadlo_bench_floor_v3, only: floor_v3 => floor_loop
    use kyvadlo_bench_floor_v4, only: floor_v4 => floor_loop
    use kyvadlo_bench_peers, only: peer_type, peers, quoted_sine, gsl_motion
+   use kyvadlo_stopwatch, only: median, nanoseconds_since
    implicit none
    private
    public :: bench_motion
@@ -352,28 +353,4 @@ contains
          minval(all), ' ns a point; on one: ', minval(one)/minval(all), ' times that'
    end subroutine print_threads
 
-   real(real64) function nanoseconds_since(start)
-      integer(int64), intent(in) :: start
-      integer(int64) :: now, rate
-
-      call system_clock(now, rate)
-      nanoseconds_since = 1e9_real64*real(now - start, real64)/real(rate, real64)
-   end function nanoseconds_since
-
-   pure real(real64) function median(values)
-      real(real64), intent(in) :: values(:)
-      real(real64) :: sorted(size(values)), moved
-      integer :: i, j
-
-      sorted = values
-      do i = 2, size(sorted)
-         moved = sorted(i)
-         do j = i - 1, 1, -1
-            if (sorted(j) <= moved) exit
-            sorted(j + 1) = sorted(j)
-         end do
-         sorted(j + 1) = moved
-      end do
-      median = sorted((size(sorted) + 1)/2)
-   end function median
 end module kyvadlo_bench_motion
