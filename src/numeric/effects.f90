@@ -1,81 +1,120 @@
-!> What may act on a real pendulum besides gravity and a rigid rod: one value, in which zero means off.
+!> What may act on a real pendulum besides gravity and a rigid rod: one value, in which zero means off. doc/effects.md says how
+!> each effect works and how they combine.
 module kyvadlo_effects
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_status, only: error_type, fail, code_domain
    implicit none
    private
-   public :: effects_type, any_effect, applied_acceleration, drag_acceleration, pivot_acceleration
+   public :: effects_type, any_effect, check_effects, has_drag, has_moving_pivot, earth_turn_rate, air_coefficients
 
-   !> The effects of a scene; each is off unless given. They add up.
+   !> The effects of a scene; each is off unless given. Forces are per mass of the bob.
    type :: effects_type
-      real(wp) :: linear_drag = 0         !! Deceleration per speed through the air [1/s]
-      real(wp) :: quadratic_drag = 0      !! Deceleration per square of that speed [1/m]
+      real(wp) :: linear_drag = 0         !! Drag force over mass and speed through the air [1/s]
+      real(wp) :: quadratic_drag = 0      !! Drag force over mass and square of that speed [1/m]
       real(wp) :: wind(3) = 0             !! Steady velocity of the air [m/s]
       real(wp) :: turn_rate(3) = 0        !! Rotation of the frame, as of the Earth; x east, y north, z up [rad/s]
       real(wp) :: pivot_amplitude(3) = 0  !! Of the pivot's displacement amplitude*cos(2 pi frequency t + phase) [m]
       real(wp) :: pivot_frequency(3) = 0  !! [Hz]
       real(wp) :: pivot_phase(3) = 0      !! [rad]
+      real(wp), allocatable :: pivot_times(:)             !! (n) knots of a table of displacements, ascending [s]
+      real(wp), allocatable :: pivot_displacements(:, :)  !! (3, n) there, added to the harmonic ones [m]
+      real(wp), allocatable :: pivot_curvatures(:, :)     !! (3, n) second derivatives of the spline: new_pivot_table [m/s2]
+      real(wp) :: stiffness = 0           !! Of an elastic rod or string, over mass; 0: it keeps its length [1/s2]
+      real(wp) :: extra_length(2) = 0     !! How much longer the pendulum is when it swings along x, along y [m]
+      logical :: is_string = .false.      !! Pulls only
+      real(wp) :: restitution = 0         !! Of the radial speed where an inextensible string becomes taut, 0 to 1
+      real(wp) :: density_ratio = 0       !! Density of the fluid over that of the bob, below 1
+      real(wp) :: added_mass = 0          !! Of the fluid that moves with the bob, over the displaced mass
    end type effects_type
-
-   real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
 
 contains
 
-   !> Whether the closed form does not answer.
-   elemental logical function any_effect(effects)
+   !> Whether the closed form does not answer. A string, buoyancy and a constant displacement of the pivot it does.
+   pure logical function any_effect(effects)
       type(effects_type), intent(in) :: effects
 
-      any_effect = abs(effects%linear_drag) > 0 .or. abs(effects%quadratic_drag) > 0 .or. any(abs(effects%turn_rate) > 0) &
-         .or. any(abs(effects%pivot_amplitude*effects%pivot_frequency) > 0)
+      any_effect = has_drag(effects) .or. any(abs(effects%turn_rate) > 0) .or. has_moving_pivot(effects) &
+         .or. effects%stiffness > 0 .or. any(effects%extra_length > 0)
    end function any_effect
 
-   !> Everything but the force of the rod, in the frame of the pivot [m/s2].
-   pure function applied_acceleration(effects, gravity, time, velocity) result(rates)
+   pure logical function has_drag(effects)
       type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: gravity      !! Downwards [m/s2]
-      real(wp), intent(in) :: time         !! [s]
-      real(wp), intent(in) :: velocity(3)  !! Of the bob, relative to the pivot [m/s]
-      real(wp) :: rates(3)
 
-      rates = drag_acceleration(effects, time, velocity) - pivot_acceleration(effects, time)
-      ! Coriolis; the constant centrifugal part belongs to the local gravity.
-      associate (w => effects%turn_rate, v => velocity)
-         rates(1) = rates(1) - 2*(w(2)*v(3) - w(3)*v(2))
-         rates(2) = rates(2) - 2*(w(3)*v(1) - w(1)*v(3))
-         rates(3) = rates(3) - 2*(w(1)*v(2) - w(2)*v(1)) - gravity
-      end associate
-   end function applied_acceleration
+      has_drag = abs(effects%linear_drag) > 0 .or. abs(effects%quadratic_drag) > 0
+   end function has_drag
 
-   !> Drag against the velocity through the air: of the bob, of its pivot, less the wind.
-   pure function drag_acceleration(effects, time, velocity) result(rates)
+   pure logical function has_moving_pivot(effects)
       type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: time, velocity(3)
-      real(wp) :: rates(3)
-      real(wp) :: through_air(3)
 
-      through_air = velocity + pivot_velocity(effects, time) - effects%wind
-      rates = -(effects%linear_drag + effects%quadratic_drag*norm2(through_air))*through_air
-   end function drag_acceleration
+      has_moving_pivot = allocated(effects%pivot_times) .or. any(abs(effects%pivot_amplitude*effects%pivot_frequency) > 0)
+   end function has_moving_pivot
 
-   !> Second derivative of the pivot's displacement [m/s2].
-   pure function pivot_acceleration(effects, time) result(rates)
+   !> Fails on a coefficient that is no number, negative or outside its range.
+   pure subroutine check_effects(effects, error)
       type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: time
-      real(wp) :: rates(3)
+      type(error_type), allocatable, intent(out) :: error
 
-      associate (rate => two_pi*effects%pivot_frequency)
-         rates = -effects%pivot_amplitude*rate**2*cos(rate*time + effects%pivot_phase)
-      end associate
-   end function pivot_acceleration
+      call refuse_negative('linear_drag', effects%linear_drag, error)
+      call refuse_negative('quadratic_drag', effects%quadratic_drag, error)
+      call refuse_negative('stiffness', effects%stiffness, error)
+      call refuse_negative('extra_length_x', effects%extra_length(1), error)
+      call refuse_negative('extra_length_y', effects%extra_length(2), error)
+      call refuse_negative('restitution', effects%restitution, error)
+      call refuse_negative('density_ratio', effects%density_ratio, error)
+      call refuse_negative('added_mass', effects%added_mass, error)
+      if (allocated(error)) return
+      if (effects%restitution > 1) then
+         call fail(error, code_domain, 'effects: restitution must lie between 0 and 1')
+      else if (.not. effects%density_ratio < 1) then
+         call fail(error, code_domain, 'effects: density_ratio must be below 1, or the bob floats')
+      else if (.not. all(ieee_is_finite([effects%wind, effects%turn_rate, effects%pivot_amplitude, effects%pivot_frequency, &
+            effects%pivot_phase]))) then
+         call fail(error, code_domain, 'effects: wind, turn rate and motion of the pivot must be finite')
+      else if (allocated(effects%pivot_times) .neqv. allocated(effects%pivot_curvatures)) then
+         call fail(error, code_domain, 'effects: a table of the pivot is made by new_pivot_table')
+      end if
+   end subroutine check_effects
 
-   !> First derivative of the pivot's displacement [m/s].
-   pure function pivot_velocity(effects, time) result(rates)
-      type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: time
-      real(wp) :: rates(3)
+   !> The first failure stands.
+   pure subroutine refuse_negative(name, value, error)
+      character(len=*), intent(in) :: name
+      real(wp), intent(in) :: value
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=24) :: got
 
-      associate (rate => two_pi*effects%pivot_frequency)
-         rates = -effects%pivot_amplitude*rate*sin(rate*time + effects%pivot_phase)
-      end associate
-   end function pivot_velocity
+      if (allocated(error) .or. value >= 0 .and. ieee_is_finite(value)) return
+      write (got, '(es24.16)') value
+      call fail(error, code_domain, 'effects: '//name//' must not be negative, got '//trim(adjustl(got)))
+   end subroutine refuse_negative
+
+   !> Rotation of the Earth in the axes of a place: x east, y north, z up.
+   pure function earth_turn_rate(latitude, rate) result(turn_rate)
+      real(wp), intent(in) :: latitude  !! North positive [degrees]
+      real(wp), intent(in) :: rate      !! Of the Earth about its axis [rad/s]
+      real(wp) :: turn_rate(3)
+      real(wp), parameter :: degree = acos(-1.0_wp)/180
+
+      turn_rate = rate*[0.0_wp, cos(latitude*degree), sin(latitude*degree)]
+      ! The cosine of a rounded right angle is not zero.
+      if (abs(latitude) >= 90 .and. abs(latitude) <= 90) turn_rate(2) = 0
+   end function earth_turn_rate
+
+   !> Drag of a sphere: Stokes's force at low speed and Newton's at high, added, as R. A. Nelson and M. G. Olsson fit
+   !> pendulums (Am. J. Phys. 54 (1986) 112).
+   pure subroutine air_coefficients(diameter, mass, density, viscosity, linear_drag, quadratic_drag, drag_coefficient)
+      real(wp), intent(in) :: diameter, mass         !! Of the bob [m], [kg]
+      real(wp), intent(in) :: density, viscosity     !! Of the air [kg/m3], [Pa s]
+      real(wp), intent(out) :: linear_drag           !! 3 pi viscosity diameter/mass [1/s]
+      real(wp), intent(out) :: quadratic_drag        !! coefficient density (pi/4) diameter**2/(2 mass) [1/m]
+      real(wp), intent(in), optional :: drag_coefficient !! Default 0.47: a smooth sphere at Reynolds numbers 1e3 to 2e5
+      real(wp), parameter :: pi = acos(-1.0_wp)
+      real(wp) :: coefficient
+
+      coefficient = 0.47_wp
+      if (present(drag_coefficient)) coefficient = drag_coefficient
+      linear_drag = 3*pi*viscosity*diameter/mass
+      quadratic_drag = coefficient*density*pi*diameter**2/(8*mass)
+   end subroutine air_coefficients
 
 end module kyvadlo_effects

@@ -10,6 +10,8 @@ module kyvadlo_gsl_ode
    public :: fgsl_odeiv2_driver, fgsl_odeiv2_driver_alloc_y_new, fgsl_odeiv2_driver_apply, fgsl_odeiv2_driver_reset
    public :: fgsl_odeiv2_driver_set_nmax, fgsl_odeiv2_driver_set_hmin, fgsl_odeiv2_driver_set_hmax
    public :: fgsl_odeiv2_driver_free
+   public :: fgsl_odeiv2_step, fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free
+   public :: fgsl_odeiv2_control, fgsl_odeiv2_control_scaled_new, fgsl_odeiv2_control_hadjust, fgsl_odeiv2_control_free
 
    !> C's gsl_odeiv2_system.
    type, bind(c) :: gsl_system_type
@@ -36,6 +38,18 @@ module kyvadlo_gsl_ode
    type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_rkf45 = fgsl_odeiv2_step_type(5)
    !> Bulirsch and Stoer's with Bader and Deuflhard's implicit midpoint rule: needs the Jacobian.
    type(fgsl_odeiv2_step_type), parameter :: fgsl_odeiv2_step_bsimp = fgsl_odeiv2_step_type(6)
+
+   !> Room for single steps of a method.
+   type :: fgsl_odeiv2_step
+      private
+      type(c_ptr) :: p = c_null_ptr
+   end type fgsl_odeiv2_step
+
+   !> The rule by which steps are accepted and their length is chosen.
+   type :: fgsl_odeiv2_control
+      private
+      type(c_ptr) :: p = c_null_ptr
+   end type fgsl_odeiv2_control
 
    !> An integration in progress.
    type :: fgsl_odeiv2_driver
@@ -107,6 +121,44 @@ module kyvadlo_gsl_ode
          import :: c_ptr
          type(c_ptr), value :: d
       end subroutine gsl_driver_free
+      function gsl_step_alloc(t, dim) bind(c, name='gsl_odeiv2_step_alloc') result(s)
+         import :: c_ptr, c_size_t
+         type(c_ptr), value :: t
+         integer(c_size_t), value :: dim
+         type(c_ptr) :: s
+      end function gsl_step_alloc
+      function gsl_step_apply(s, t, h, y, yerr, dydt_in, dydt_out, sys) bind(c, name='gsl_odeiv2_step_apply') result(status)
+         import :: c_double, c_int, c_ptr, gsl_system_type
+         type(c_ptr), value :: s
+         real(c_double), value :: t, h
+         real(c_double), intent(inout) :: y(*), yerr(*), dydt_out(*)
+         real(c_double), intent(in) :: dydt_in(*)
+         type(gsl_system_type), intent(in) :: sys
+         integer(c_int) :: status
+      end function gsl_step_apply
+      subroutine gsl_step_free(s) bind(c, name='gsl_odeiv2_step_free')
+         import :: c_ptr
+         type(c_ptr), value :: s
+      end subroutine gsl_step_free
+      function gsl_control_scaled_new(eps_abs, eps_rel, a_y, a_dydt, scale_abs, dim) &
+            bind(c, name='gsl_odeiv2_control_scaled_new') result(c)
+         import :: c_double, c_ptr, c_size_t
+         real(c_double), value :: eps_abs, eps_rel, a_y, a_dydt
+         real(c_double), intent(in) :: scale_abs(*)
+         integer(c_size_t), value :: dim
+         type(c_ptr) :: c
+      end function gsl_control_scaled_new
+      function gsl_control_hadjust(c, s, y, yerr, dydt, h) bind(c, name='gsl_odeiv2_control_hadjust') result(change)
+         import :: c_double, c_int, c_ptr
+         type(c_ptr), value :: c, s
+         real(c_double), intent(in) :: y(*), yerr(*), dydt(*)
+         real(c_double), intent(inout) :: h
+         integer(c_int) :: change
+      end function gsl_control_hadjust
+      subroutine gsl_control_free(c) bind(c, name='gsl_odeiv2_control_free')
+         import :: c_ptr
+         type(c_ptr), value :: c
+      end subroutine gsl_control_free
    end interface
 
 contains
@@ -185,5 +237,54 @@ contains
       if (c_associated(d%p)) call gsl_driver_free(d%p)
       d%p = c_null_ptr
    end subroutine fgsl_odeiv2_driver_free
+
+   !> Room for steps of a system of `dim` equations; free it with fgsl_odeiv2_step_free.
+   function fgsl_odeiv2_step_alloc(t, dim) result(s)
+      type(fgsl_odeiv2_step_type), intent(in) :: t
+      integer(c_size_t), intent(in) :: dim
+      type(fgsl_odeiv2_step) :: s
+      s%p = gsl_step_alloc(gsl_step(t%which), dim)
+   end function fgsl_odeiv2_step_alloc
+
+   !> One step of length h from t: y moves on, yerr estimates its error, dydt_in and dydt_out are the right sides at both ends.
+   function fgsl_odeiv2_step_apply(s, t, h, y, yerr, dydt_in, dydt_out, dydt) result(status)
+      type(fgsl_odeiv2_step), intent(in) :: s
+      real(c_double), intent(in) :: t, h
+      real(c_double), intent(inout), contiguous :: y(:), yerr(:), dydt_out(:)
+      real(c_double), intent(in), contiguous :: dydt_in(:)
+      type(fgsl_odeiv2_system), intent(in) :: dydt
+      integer(c_int) :: status
+      status = gsl_step_apply(s%p, t, h, y, yerr, dydt_in, dydt_out, dydt%p)
+   end function fgsl_odeiv2_step_apply
+
+   subroutine fgsl_odeiv2_step_free(s)
+      type(fgsl_odeiv2_step), intent(inout) :: s
+      if (c_associated(s%p)) call gsl_step_free(s%p)
+      s%p = c_null_ptr
+   end subroutine fgsl_odeiv2_step_free
+
+   !> Keeps the error of component i below eps_abs*scale_abs(i) + eps_rel*(a_y |y| + a_dydt h |dydt|).
+   function fgsl_odeiv2_control_scaled_new(eps_abs, eps_rel, a_y, a_dydt, scale_abs) result(c)
+      real(c_double), intent(in) :: eps_abs, eps_rel, a_y, a_dydt
+      real(c_double), intent(in), contiguous :: scale_abs(:)
+      type(fgsl_odeiv2_control) :: c
+      c%p = gsl_control_scaled_new(eps_abs, eps_rel, a_y, a_dydt, scale_abs, size(scale_abs, kind=c_size_t))
+   end function fgsl_odeiv2_control_scaled_new
+
+   !> Changes h to what the error of the last step calls for: 1 longer, 0 as it is, -1 shorter, the step is to be repeated.
+   function fgsl_odeiv2_control_hadjust(c, s, y, yerr, dydt, h) result(change)
+      type(fgsl_odeiv2_control), intent(in) :: c
+      type(fgsl_odeiv2_step), intent(in) :: s
+      real(c_double), intent(in), contiguous :: y(:), yerr(:), dydt(:)
+      real(c_double), intent(inout) :: h
+      integer(c_int) :: change
+      change = gsl_control_hadjust(c%p, s%p, y, yerr, dydt, h)
+   end function fgsl_odeiv2_control_hadjust
+
+   subroutine fgsl_odeiv2_control_free(c)
+      type(fgsl_odeiv2_control), intent(inout) :: c
+      if (c_associated(c%p)) call gsl_control_free(c%p)
+      c%p = c_null_ptr
+   end subroutine fgsl_odeiv2_control_free
 
 end module kyvadlo_gsl_ode

@@ -1,108 +1,349 @@
-!> The motion under effects that have no closed form: Newton's equations on the sphere in Cartesian coordinates, by GSL.
+!> The motion under effects that have no closed form, at any number of ascending times in bounded memory.
 !>
-!> The rod's force follows from the constraint (p.a + v.v = 0), so no coordinate is singular anywhere on the sphere; at every
-!> requested time the state is put back on it, which removes what the steps between have let slip.
+!>    call new_integration(run, effects, length, gravity, position, velocity, tolerance, error)
+!>    call advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)   ! block by block
+!>    call finish(run)
+!>
+!> The integrator takes the steps that the tolerance asks for, however many times are asked for: where there are several in a
+!> step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies the
+!> equations of motion within the tolerance, and else from a step of their own.
 module kyvadlo_integrator
-   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_long, c_ptr, c_size_t
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
-   use kyvadlo_effects, only: effects_type, applied_acceleration, drag_acceleration, pivot_acceleration
-   use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_driver, &
-      fgsl_odeiv2_driver_alloc_y_new, fgsl_odeiv2_driver_apply, fgsl_odeiv2_driver_free, fgsl_odeiv2_driver_set_nmax, &
-      fgsl_odeiv2_driver_reset, fgsl_odeiv2_step_rk8pd
+   use kyvadlo_effects, only: effects_type
+   use kyvadlo_forces, only: forces_type, move, new_forces
+   use kyvadlo_pivot, only: next_knot
+   use kyvadlo_suspension, only: put_on_surface, stretch
+   use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, defect_to_velocity, &
+      interpolate, nodes, prepare
+   use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
+   use kyvadlo_string, only: string_event_type
+   use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
    implicit none
    private
-   public :: integrate
+   public :: integration_type, new_integration, advance, finish, integrate
 
-   !> What the right side needs.
-   type :: problem_type
-      type(effects_type) :: effects
-      real(wp) :: gravity = 0
-   end type problem_type
+   integer, parameter :: unknown = 0, by_polynomial = 1, by_steps = 2
 
-   !> Position, velocity, and the work of drag and of the pivot per mass.
-   integer(c_size_t), parameter :: unknowns = 8
-   !> Steps between two requested times; a swing takes some tens of them at the tightest tolerance.
-   integer(c_long), parameter :: most_steps = 10000000
+   !> A run in progress. Read the public components; change none, and do not copy a run.
+   type :: integration_type
+      type(string_event_type), allocatable :: events(:) !! Of a string, as they come; the first `event_count` count
+      integer :: event_count = 0                       !! Places are relative to the pivot
+      integer(int64) :: steps = 0, rejected = 0        !! Steps taken, and steps repeated
+      integer(int64) :: interpolated = 0, stepped = 0  !! Samples between steps, by polynomial and by a step of their own
+      type(stepper_type), private :: stepper
+      type(contact_type), private :: contact
+      type(interpolant_type), private :: interpolant
+      real(wp), private :: tolerance = 0, unit_length = 1, unit_speed = 1
+      real(wp), private :: last_time = 0               !! Of the last sample [s]
+      real(wp), private :: work_time = 0, work(2) = 0  !! Works known last within the present step
+      real(wp), private :: ends = huge(1.0_wp)         !! Of the table of the pivot [s]
+      logical, private :: has_contact = .false.        !! The last step ended where the string goes slack or taut
+      logical, private :: is_at_knot = .false.         !! ... or at a knot of the table
+      integer, private :: between = unknown            !! How samples in the last step are found
+   end type integration_type
+
+   !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
+   integer, parameter :: most_events = 100000
+   !> Part of sqrt(length/gravity) for the first step; the steps grow by up to 5, so that four of them find their length.
+   real(wp), parameter :: first_step = 1e-3_wp
+   !> Abscissas and weights of Gauss's rule with five points on [-1, 1] (DLMF 3.5.v).
+   real(wp), parameter :: gauss_abscissas(5) = [-0.906179845938663992797627_wp, -0.538469310105683091036314_wp, 0.0_wp, &
+      0.538469310105683091036314_wp, 0.906179845938663992797627_wp]
+   real(wp), parameter :: gauss_weights(5) = [0.236926885056189087514264_wp, 0.478628670499366468041292_wp, &
+      0.568888888888888888888889_wp, 0.478628670499366468041292_wp, 0.236926885056189087514264_wp]
 
 contains
 
-   !> Position and velocity relative to the pivot at ascending times, from a start at t = 0.
+   !> A start at time 0. The tolerance is that of the error of a step, in units of the length and of
+   !> sqrt(gravity length + squares of the speeds of start, wind and pivot).
    !>
-   !> GSL's Runge-Kutta-Prince-Dormand method of order 8 with the local error per step below `tolerance`, relative to length and to
-   !> sqrt(gravity length). Failure: a start off the sphere, a tolerance outside 1e-15 ... 0.1, times that do not ascend from
-   !> 0, or the integrator's own.
-   subroutine integrate(effects, length, gravity, start_position, start_velocity, times, tolerance, positions, velocities, &
-         tensions, drag_work, pivot_work, error)
+   !> A start off the surface of the suspension fails; with extra lengths it is moved to the nearest point of the surface
+   !> and a radial velocity is left out, an elastic pendulum may start anywhere.
+   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work)
+      type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: length, gravity                   !! [m], [m/s2]
-      real(wp), intent(in) :: start_position(3), start_velocity(3) !! On the sphere, tangential
-      real(wp), intent(in) :: times(:)                          !! (n) [s]
-      real(wp), intent(in) :: tolerance                         !! Of the local error
-      real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n)
-      real(wp), intent(out) :: tensions(:)                      !! (n) rod force over mass [m/s2]
-      real(wp), intent(out) :: drag_work(:), pivot_work(:)      !! (n) since t = 0, per mass [m2/s2]
+      real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
+      real(wp), intent(in) :: position(3), velocity(3)  !! Relative to the pivot [m], [m/s]
+      real(wp), intent(in) :: tolerance                 !! 1e-15 to 0.1
       type(error_type), allocatable, intent(out) :: error
-      type(problem_type), target :: problem
-      type(fgsl_odeiv2_system) :: system
-      type(fgsl_odeiv2_driver) :: driver
-      real(c_double) :: t, y(unknowns), unit_time, unit_speed
-      integer(c_int) :: status
-      integer :: i
+      logical, intent(in), optional :: with_work        !! .false.: works are not wanted, and zero (default .true.)
+      type(forces_type) :: forces
+      real(wp) :: p(3), v(3), distance, outward(3), bending, acceleration(3), tension, powers(2)
+      logical :: is_taut, wants_work
 
-      drag_work = ieee_value(drag_work, ieee_quiet_nan)
-      pivot_work = ieee_value(pivot_work, ieee_quiet_nan)
-      tensions = ieee_value(tensions, ieee_quiet_nan)
-      positions = ieee_value(positions, ieee_quiet_nan)
-      velocities = ieee_value(velocities, ieee_quiet_nan)
-      if (.not. (length > 0 .and. gravity > 0 .and. ieee_is_finite(length) .and. ieee_is_finite(gravity))) then
-         call fail(error, code_domain, 'integrate: length and gravity must be positive and finite, got'//listed([length, gravity]))
-      else if (.not. (tolerance >= 1e-15_wp .and. tolerance <= 0.1_wp)) then
+      call finish(run)
+      call new_forces(forces, effects, length, gravity, error)
+      if (allocated(error)) return
+      p = position
+      v = velocity
+      if (.not. (tolerance >= 1e-15_wp .and. tolerance <= 0.1_wp)) then
          call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1, got'//listed([tolerance]))
-      else if (.not. abs(norm2(start_position) - length) <= 1e-12_wp*length) then
-         call fail(error, code_domain, 'integrate: the start must lie on the sphere, got the distance and the length'// &
-            listed([norm2(start_position), length]))
-      else if (size(times) > 0) then
-         if (.not. (times(1) >= 0 .and. all(times(2:) >= times(:size(times) - 1)) .and. all(ieee_is_finite(times)))) &
-            call fail(error, code_domain, 'integrate: the times must ascend from 0')
+      else if (.not. (all(ieee_is_finite(position)) .and. all(ieee_is_finite(velocity)))) then
+         call fail(error, code_domain, 'integrate: position and velocity must be finite, got'//listed([position, velocity]))
+      else if (allocated(effects%pivot_times)) then
+         if (effects%pivot_times(1) > 0) &
+            call fail(error, code_domain, 'integrate: the table of the pivot must begin at time 0 or before')
+         run%ends = effects%pivot_times(size(effects%pivot_times))
+      end if
+      if (.not. allocated(error) .and. .not. forces%is_elastic) then
+         if (forces%suspension%is_sphere .and. .not. abs(norm2(position) - length) <= 1e-12_wp*length) then
+            call fail(error, code_domain, 'integrate: the start must lie on the sphere, got the distance and the length'// &
+               listed([norm2(position), length]))
+         else
+            call put_on_surface(forces%suspension, p, v)
+         end if
       end if
       if (allocated(error)) return
 
-      ! In units of length and sqrt(length/gravity), so that one tolerance serves every component.
-      unit_time = sqrt(length/gravity)
-      unit_speed = sqrt(length*gravity)
-      problem%gravity = 1
-      problem%effects = effects
-      problem%effects%linear_drag = effects%linear_drag*unit_time
-      problem%effects%quadratic_drag = effects%quadratic_drag*length
-      problem%effects%wind = effects%wind/unit_speed
-      problem%effects%turn_rate = effects%turn_rate*unit_time
-      problem%effects%pivot_amplitude = effects%pivot_amplitude/length
-      problem%effects%pivot_frequency = effects%pivot_frequency*unit_time
+      wants_work = .true.
+      if (present(with_work)) wants_work = with_work
+      run%tolerance = tolerance
+      run%unit_length = length
+      run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
+         0.0_wp, forces%has_drag) + pivot_speed(effects)**2)
+      run%contact%unit_speed = run%unit_speed
+      is_taut = .true.
+      call stretch(forces%suspension, p, v, distance, outward, bending)
+      call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers(1), powers(2))
+      if (effects%is_string) is_taut = tension >= 0
+      call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
+         run%unit_speed**2], first_step*sqrt(length/gravity))
+      if (.not. is_taut .and. forces%is_elastic) run%stepper%problem%slack = (forces%suspension%radius**2 - distance**2)/2
+      if (.not. is_taut) call count_from_here(run)
+      allocate (run%events(8))
+      call note_step(run)
+   end subroutine new_integration
 
-      system = fgsl_odeiv2_system_init(right_side, unknowns, c_loc(problem))
-      driver = fgsl_odeiv2_driver_alloc_y_new(system, fgsl_odeiv2_step_rk8pd, 1e-3_c_double, tolerance, 0.0_c_double)
-      status = fgsl_odeiv2_driver_set_nmax(driver, most_steps)
-      t = 0
-      y = [start_position/length, start_velocity/unit_speed, 0.0_c_double, 0.0_c_double]
+   !> In flight places are counted from where it began.
+   subroutine count_from_here(run)
+      type(integration_type), intent(inout) :: run
+
+      run%stepper%problem%base = run%stepper%y(1:3)
+      run%stepper%y(1:3) = 0
+      run%stepper%start_y(1:3) = 0
+   end subroutine count_from_here
+
+   !> The motion at ascending times, none before those of the call before. At a failure what follows is NaN.
+   subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)
+      type(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: times(:)                           !! (n) from 0 on [s]
+      real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n) relative to the pivot [m], [m/s]
+      real(wp), intent(out) :: tensions(:)                       !! (n) force of rod or string over the bob's mass [m/s2]
+      real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n) on the bob since time 0, per mass [m2/s2]
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: gap
+      logical :: failed
+      integer :: i
+
       do i = 1, size(times)
-         if (times(i)/unit_time > t) status = fgsl_odeiv2_driver_apply(driver, t, times(i)/unit_time, y)
-         if (status /= 0 .or. .not. all(ieee_is_finite(y))) then
-            call fail(error, code_unsupported, 'integrate: the integrator gave up; a larger tolerance may help')
-            exit
+         if (.not. associated(run%stepper%problem)) then
+            call fail(error, code_domain, 'integrate: the run has not begun')
+         else if (.not. (times(i) >= run%last_time .and. ieee_is_finite(times(i)))) then
+            call fail(error, code_domain, 'integrate: the times must ascend from 0, got'//listed([run%last_time, times(i)]))
+         else if (times(i) > run%ends) then
+            call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'//listed([run%ends]))
          end if
-         call put_on_sphere(y)
-         status = fgsl_odeiv2_driver_reset(driver)
-         positions(:, i) = length*y(1:3)
-         velocities(:, i) = unit_speed*y(4:6)
-         tensions(i) = gravity*tension(problem, t, y)
-         drag_work(i) = unit_speed**2*y(7)
-         pivot_work(i) = unit_speed**2*y(8)
+         if (allocated(error)) exit
+         gap = times(i) - run%last_time
+         failed = .false.
+         do while (run%stepper%time < times(i) .and. .not. failed)
+            call next_step(run, times(i), gap, failed)
+         end do
+         if (failed) then
+            call fail(error, code_unsupported, 'integrate: no step is short enough at the time'//listed([run%stepper%time])// &
+               '; a larger tolerance may help, or the motion is singular there')
+         else if (run%event_count > most_events) then
+            call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'// &
+               listed([run%stepper%time]))
+         end if
+         if (allocated(error)) exit
+         call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
+         run%last_time = times(i)
       end do
-      call fgsl_odeiv2_driver_free(driver)
-      call fgsl_odeiv2_system_free(system)
-   end subroutine integrate
+      if (.not. allocated(error)) return
+      positions(:, i:) = ieee_value(gap, ieee_quiet_nan)
+      velocities(:, i:) = ieee_value(gap, ieee_quiet_nan)
+      tensions(i:) = ieee_value(gap, ieee_quiet_nan)
+      drag_work(i:) = ieee_value(gap, ieee_quiet_nan)
+      pivot_work(i:) = ieee_value(gap, ieee_quiet_nan)
+   end subroutine advance
+
+   !> Gives the memory back.
+   subroutine finish(run)
+      type(integration_type), intent(inout) :: run
+      type(integration_type) :: blank
+
+      call free_stepper(run%stepper)
+      run = blank
+   end subroutine finish
+
+   !> One step. It ends at the time asked for if that is the only one in it; if the next may be expected in it too it goes
+   !> its own way, so that where the samples lie has no part in the steps.
+   subroutine next_step(run, target, gap, failed)
+      type(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: target, gap
+      logical, intent(out) :: failed
+      type(string_event_type) :: event
+      real(wp) :: limit, knot
+
+      associate (stepper => run%stepper)
+         if (run%has_contact) then
+            call make_contact(stepper, run%contact, event)
+            call append(run, event)
+            call clear(run%interpolant)
+            call note_step(run)
+            run%has_contact = .false.
+         end if
+         if (run%is_at_knot) then
+            ! The third derivative jumps here.
+            call clear(run%interpolant)
+            call add_node(run%interpolant, stepper%time, stepper%y(1:3), stepper%y(4:6), stepper%rates(4:6))
+         end if
+         knot = next_knot(stepper%problem%forces%effects, stepper%time)
+         limit = knot
+         if (target + gap > stepper%time + stepper%next) limit = min(limit, target)
+         call take_step(stepper, limit, failed)
+         if (failed) return
+         if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
+         run%is_at_knot = stepper%time >= knot
+         run%steps = run%steps + 1
+         run%rejected = stepper%rejected
+         call note_step(run)
+      end associate
+   end subroutine next_step
+
+   !> Remembers the end of a step.
+   subroutine note_step(run)
+      type(integration_type), intent(inout) :: run
+
+      associate (stepper => run%stepper)
+         call add_node(run%interpolant, stepper%time, stepper%y(1:3), stepper%y(4:6), stepper%rates(4:6))
+         run%between = unknown
+         run%work_time = stepper%start
+         run%work = works(run, stepper%start_y)
+      end associate
+   end subroutine note_step
+
+   !> The motion at a time within the last step.
+   subroutine sample(run, time, position, velocity, tension, drag_work, pivot_work)
+      type(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: time
+      real(wp), intent(out) :: position(3), velocity(3), tension, drag_work, pivot_work
+      real(wp) :: y(unknowns), rates(unknowns), work(2), acceleration(3), powers(2)
+
+      associate (stepper => run%stepper, problem => run%stepper%problem)
+         if (time < stepper%time) then
+            if (run%between == unknown) call choose_between(run)
+            if (run%between == by_polynomial) then
+               call interpolate(run%interpolant, time, y(1:3), y(4:6))
+               if (problem%is_taut .and. .not. problem%forces%is_elastic) &
+                  call put_on_surface(problem%forces%suspension, y(1:3), y(4:6))
+               if (problem%unknowns > 6) call add_work(run, time)
+               work = run%work
+               run%interpolated = run%interpolated + 1
+               call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, tension, &
+                  powers(1), powers(2))
+            else
+               call trial_step(stepper, time - stepper%start, y, rates, tension)
+               work = works(run, y)
+               run%stepped = run%stepped + 1
+            end if
+         else
+            y = stepper%y
+            tension = stepper%tension
+            work = works(run, y)
+         end if
+         position = problem%base + y(1:3)
+         velocity = y(4:6)
+         drag_work = work(1)
+         pivot_work = work(2)
+      end associate
+   end subroutine sample
+
+   !> Whether the polynomial serves the last step: whether it satisfies the equations of motion where it should be worst.
+   subroutine choose_between(run)
+      type(integration_type), intent(inout) :: run
+      real(wp) :: y(6), bend(3), acceleration(3), tension, powers(2), time, defect, allowed
+
+      run%between = by_steps
+      if (run%interpolant%count < nodes) return
+      call prepare(run%interpolant)
+      associate (problem => run%stepper%problem, h => run%interpolant%step)
+         time = run%interpolant%time(1) + defect_point*h
+         call interpolate(run%interpolant, time, y(1:3), y(4:6), bend)
+         call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, tension, powers(1), &
+            powers(2))
+         defect = norm2(bend - acceleration)
+         ! What rounding alone leaves of a second difference.
+         allowed = max(run%tolerance, 64*epsilon(h))
+         if (defect*h**2*defect_to_position <= allowed*run%unit_length &
+            .and. defect*h*defect_to_velocity <= allowed*run%unit_speed) run%between = by_polynomial
+      end associate
+   end subroutine choose_between
+
+   !> Works up to a time within the last step, by quadrature of the powers from where they were known last.
+   subroutine add_work(run, time)
+      type(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: time
+      real(wp) :: y(6), acceleration(3), tension, powers(2), half, at
+      integer :: i
+
+      half = (time - run%work_time)/2
+      associate (problem => run%stepper%problem)
+         do i = 1, size(gauss_weights)
+            at = run%work_time + half*(1 + gauss_abscissas(i))
+            call interpolate(run%interpolant, at, y(1:3), y(4:6))
+            call move(problem%forces, problem%is_taut, at, problem%base + y(1:3), y(4:6), acceleration, tension, &
+               powers(1), powers(2))
+            run%work = run%work + half*gauss_weights(i)*powers
+         end do
+      end associate
+      run%work_time = time
+   end subroutine add_work
+
+   pure function works(run, y) result(work)
+      type(integration_type), intent(in) :: run
+      real(wp), intent(in) :: y(:)
+      real(wp) :: work(2)
+
+      work = 0
+      associate (problem => run%stepper%problem)
+         if (problem%drag_work > 0) work(1) = y(problem%drag_work)
+         if (problem%pivot_work > 0) work(2) = y(problem%pivot_work)
+      end associate
+   end function works
+
+   subroutine append(run, event)
+      type(integration_type), intent(inout) :: run
+      type(string_event_type), intent(in) :: event
+      type(string_event_type), allocatable :: larger(:)
+
+      if (run%event_count == size(run%events)) then
+         allocate (larger(2*size(run%events)))
+         larger(:run%event_count) = run%events
+         call move_alloc(larger, run%events)
+      end if
+      run%event_count = run%event_count + 1
+      run%events(run%event_count) = event
+   end subroutine append
+
+   !> Scale of the speed of the pivot.
+   pure real(wp) function pivot_speed(effects)
+      type(effects_type), intent(in) :: effects
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
+      integer :: k
+
+      pivot_speed = norm2(two_pi*effects%pivot_frequency*effects%pivot_amplitude)
+      if (.not. allocated(effects%pivot_times)) return
+      associate (t => effects%pivot_times, p => effects%pivot_displacements)
+         do k = 2, size(t)
+            pivot_speed = max(pivot_speed, norm2(p(:, k) - p(:, k - 1))/(t(k) - t(k - 1)))
+         end do
+      end associate
+   end function pivot_speed
 
    !> Numbers for a message, a blank before each.
    pure function listed(numbers) result(text)
@@ -112,42 +353,29 @@ contains
       write (text, '(*(es24.16))') numbers
    end function listed
 
-   !> The nearest point of the unit sphere, and of its tangent plane there.
-   pure subroutine put_on_sphere(y)
-      real(c_double), intent(inout) :: y(:)
+   !> The whole motion in one call: new_integration, advance, finish.
+   subroutine integrate(effects, length, gravity, start_position, start_velocity, times, tolerance, positions, velocities, &
+         tensions, drag_work, pivot_work, error)
+      type(effects_type), intent(in) :: effects
+      real(wp), intent(in) :: length, gravity                    !! [m], [m/s2]
+      real(wp), intent(in) :: start_position(3), start_velocity(3) !! Relative to the pivot [m], [m/s]
+      real(wp), intent(in) :: times(:)                           !! (n) ascending from 0 [s]
+      real(wp), intent(in) :: tolerance                          !! Of the error of a step
+      real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n)
+      real(wp), intent(out) :: tensions(:)                       !! (n)
+      real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n)
+      type(error_type), allocatable, intent(out) :: error
+      type(integration_type) :: run
 
-      y(1:3) = y(1:3)/norm2(y(1:3))
-      y(4:6) = y(4:6) - dot_product(y(1:3), y(4:6))*y(1:3)
-   end subroutine put_on_sphere
-
-   !> Rod force over mass: what the constraint needs, p.(applied) + v.v over |p|.
-   pure real(c_double) function tension(problem, t, y)
-      type(problem_type), intent(in) :: problem
-      real(c_double), intent(in) :: t, y(:)
-
-      tension = (dot_product(y(1:3), applied_acceleration(problem%effects, problem%gravity, t, y(4:6))) &
-         + dot_product(y(4:6), y(4:6)))/norm2(y(1:3))
-   end function tension
-
-   !> dy/dt for GSL.
-   function right_side(t, y, dydt, params) bind(c) result(status)
-      real(c_double), value :: t
-      type(c_ptr), value :: y, dydt, params
-      integer(c_int) :: status
-      real(c_double), pointer :: u(:), du(:)
-      type(problem_type), pointer :: problem
-      real(c_double) :: applied(3)
-
-      call c_f_pointer(y, u, [unknowns])
-      call c_f_pointer(dydt, du, [unknowns])
-      call c_f_pointer(params, problem)
-      applied = applied_acceleration(problem%effects, problem%gravity, t, u(4:6))
-      du(1:3) = u(4:6)
-      du(4:6) = applied - u(1:3)*(dot_product(u(1:3), applied) + dot_product(u(4:6), u(4:6)))/dot_product(u(1:3), u(1:3))
-      ! In the pivot's frame its acceleration works as a force does.
-      du(7) = dot_product(drag_acceleration(problem%effects, t, u(4:6)), u(4:6))
-      du(8) = -dot_product(pivot_acceleration(problem%effects, t), u(4:6))
-      status = 0
-   end function right_side
+      drag_work = ieee_value(drag_work, ieee_quiet_nan)
+      pivot_work = drag_work
+      tensions = drag_work
+      positions = ieee_value(positions, ieee_quiet_nan)
+      velocities = positions
+      call new_integration(run, effects, length, gravity, start_position, start_velocity, tolerance, error)
+      if (.not. allocated(error)) &
+         call advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)
+      call finish(run)
+   end subroutine integrate
 
 end module kyvadlo_integrator

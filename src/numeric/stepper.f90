@@ -1,0 +1,220 @@
+!> Steps of Newton's equations in Cartesian coordinates by GSL's Runge-Kutta-Prince-Dormand method of order 8, their length
+!> chosen by GSL from the error of each.
+!>
+!> The force of rod or string follows from the surface it keeps the bob on, so no coordinate is singular at the lowest and
+!> highest points. What a step lets slip off the surface, a part of its error, is put back at its end.
+module kyvadlo_stepper
+   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_forces, only: forces_type, move
+   use kyvadlo_suspension, only: put_on_surface
+   use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
+      fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, fgsl_odeiv2_control, &
+      fgsl_odeiv2_control_scaled_new, fgsl_odeiv2_control_hadjust, fgsl_odeiv2_control_free
+   implicit none
+   private
+   public :: stepper_type, problem_type, new_stepper, free_stepper, take_step, trial_step, restart, unknowns
+
+   !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
+   integer, parameter :: unknowns = 8
+
+   !> What the right side needs. Where GSL calls it, its address must stay.
+   type :: problem_type
+      type(forces_type) :: forces
+      logical :: is_taut = .true.
+      real(wp) :: base(3) = 0         !! In flight where it began, so that its first stretch has all its digits; else 0
+      real(wp) :: slack = 0           !! In flight: (radius**2 - s**2)/2 of where it began [m2]
+      real(wp) :: tension = 0         !! At the right side evaluated last
+      integer :: drag_work = 0        !! Its place among the unknowns; 0: not asked for
+      integer :: pivot_work = 0
+      integer :: unknowns = 6
+   end type problem_type
+
+   !> An integration between two steps.
+   type :: stepper_type
+      type(problem_type), pointer :: problem => null()
+      real(wp) :: time = 0, y(unknowns) = 0, rates(unknowns) = 0, tension = 0           !! Now
+      real(wp) :: start = 0, start_y(unknowns) = 0, start_rates(unknowns) = 0, start_tension = 0 !! Before the last step
+      real(wp) :: next = 0                  !! Length of the next step [s]
+      integer(int64) :: rejected = 0        !! Steps repeated with a shorter length
+      type(fgsl_odeiv2_system) :: system
+      type(fgsl_odeiv2_step) :: step
+      type(fgsl_odeiv2_control) :: control
+   end type stepper_type
+
+contains
+
+   !> A start at time 0.
+   subroutine new_stepper(stepper, forces, is_taut, with_work, position, velocity, tolerance, scales, first_step)
+      type(stepper_type), intent(inout) :: stepper
+      type(forces_type), intent(in) :: forces
+      logical, intent(in) :: is_taut
+      logical, intent(in) :: with_work                  !! Whether works are integrated too
+      real(wp), intent(in) :: position(3), velocity(3)  !! [m], [m/s]
+      real(wp), intent(in) :: tolerance                 !! Of the error of a step, in units of the scales
+      real(wp), intent(in) :: scales(3)                 !! Of places, velocities and works
+      real(wp), intent(in) :: first_step                !! [s]
+      real(wp) :: scale(unknowns)
+
+      call free_stepper(stepper)
+      allocate (stepper%problem)
+      associate (problem => stepper%problem)
+         problem%forces = forces
+         problem%is_taut = is_taut
+         if (with_work .and. forces%has_drag) then
+            problem%unknowns = problem%unknowns + 1
+            problem%drag_work = problem%unknowns
+         end if
+         if (with_work .and. forces%has_moving_pivot) then
+            problem%unknowns = problem%unknowns + 1
+            problem%pivot_work = problem%unknowns
+         end if
+         scale = [scales(1), scales(1), scales(1), scales(2), scales(2), scales(2), scales(3), scales(3)]
+         stepper%system = fgsl_odeiv2_system_init(right_side, int(problem%unknowns, c_size_t), c_loc(stepper%problem))
+         stepper%step = fgsl_odeiv2_step_alloc(fgsl_odeiv2_step_rk8pd, int(problem%unknowns, c_size_t))
+         stepper%control = fgsl_odeiv2_control_scaled_new(tolerance, 0.0_wp, 1.0_wp, 0.0_wp, scale(:problem%unknowns))
+      end associate
+      stepper%time = 0
+      stepper%rejected = 0
+      stepper%y = [position, velocity, 0.0_wp, 0.0_wp]
+      stepper%next = first_step
+      call restart(stepper)
+   end subroutine new_stepper
+
+   subroutine free_stepper(stepper)
+      type(stepper_type), intent(inout) :: stepper
+
+      if (.not. associated(stepper%problem)) return
+      call fgsl_odeiv2_control_free(stepper%control)
+      call fgsl_odeiv2_step_free(stepper%step)
+      call fgsl_odeiv2_system_free(stepper%system)
+      deallocate (stepper%problem)
+   end subroutine free_stepper
+
+   !> After a change of state or of the problem: the rates anew, and no step before.
+   subroutine restart(stepper)
+      type(stepper_type), intent(inout) :: stepper
+
+      call find_rates(stepper%problem, stepper%time, stepper%y, stepper%rates)
+      stepper%tension = stepper%problem%tension
+      stepper%start = stepper%time
+      stepper%start_y = stepper%y
+      stepper%start_rates = stepper%rates
+      stepper%start_tension = stepper%tension
+   end subroutine restart
+
+   !> One step, not beyond `limit`. Fails where the steps become shorter than time resolves.
+   subroutine take_step(stepper, limit, failed)
+      type(stepper_type), intent(inout) :: stepper
+      real(wp), intent(in) :: limit             !! Later than now [s]
+      logical, intent(out) :: failed
+      real(wp) :: h, wanted, ends, y(unknowns), rates(unknowns), errors(unknowns)
+      logical :: is_cut
+      integer :: n, status, change
+
+      failed = .false.
+      n = stepper%problem%unknowns
+      h = stepper%next
+      do
+         is_cut = stepper%time + h >= limit
+         ends = stepper%time + h
+         if (is_cut) ends = limit
+         ! Exact: times add up without error.
+         h = ends - stepper%time
+         y = stepper%y
+         status = fgsl_odeiv2_step_apply(stepper%step, stepper%time, h, y(:n), errors(:n), stepper%rates(:n), rates(:n), &
+            stepper%system)
+         wanted = h
+         if (status == 0 .and. all(ieee_is_finite(y(:n))) .and. all(ieee_is_finite(errors(:n)))) then
+            change = fgsl_odeiv2_control_hadjust(stepper%control, stepper%step, y(:n), errors(:n), rates(:n), wanted)
+            if (.not. (change < 0 .and. wanted < h)) exit
+         else
+            ! As GSL's driver after a failure of the right side.
+            wanted = h/2
+         end if
+         h = wanted
+         stepper%rejected = stepper%rejected + 1
+         if (.not. stepper%time + h > stepper%time + spacing(stepper%time)) then
+            failed = .true.
+            return
+         end if
+      end do
+      if (.not. is_cut) stepper%next = wanted
+      call accept(stepper, ends, y, rates)
+   end subroutine take_step
+
+   !> One step of a given length from where the last one began, unchecked: for a place between its ends.
+   subroutine trial_step(stepper, h, y, rates, tension)
+      type(stepper_type), intent(in) :: stepper
+      real(wp), intent(in) :: h                 !! Up to the length of the last step [s]
+      real(wp), intent(out) :: y(:), rates(:)   !! (unknowns)
+      real(wp), intent(out) :: tension          !! [m/s2]
+      real(wp) :: errors(unknowns)
+      integer :: n, status
+
+      n = stepper%problem%unknowns
+      y = stepper%start_y
+      rates = 0
+      status = fgsl_odeiv2_step_apply(stepper%step, stepper%start, h, y(:n), errors(:n), stepper%start_rates(:n), rates(:n), &
+         stepper%system)
+      tension = stepper%problem%tension
+      call put_back(stepper%problem, y)
+   end subroutine trial_step
+
+   !> Makes a state at a later time the present one.
+   subroutine accept(stepper, time, y, rates)
+      type(stepper_type), intent(inout) :: stepper
+      real(wp), intent(in) :: time, y(:), rates(:)
+
+      stepper%start = stepper%time
+      stepper%start_y = stepper%y
+      stepper%start_rates = stepper%rates
+      stepper%start_tension = stepper%tension
+      stepper%time = time
+      stepper%y = y
+      stepper%rates = rates
+      stepper%tension = stepper%problem%tension
+      call put_back(stepper%problem, stepper%y)
+      stepper%rates(1:3) = stepper%y(4:6)
+   end subroutine accept
+
+   pure subroutine put_back(problem, y)
+      type(problem_type), intent(in) :: problem
+      real(wp), intent(inout) :: y(:)
+
+      if (problem%is_taut .and. .not. problem%forces%is_elastic) &
+         call put_on_surface(problem%forces%suspension, y(1:3), y(4:6))
+   end subroutine put_back
+
+   subroutine find_rates(problem, time, y, rates)
+      type(problem_type), intent(inout) :: problem
+      real(wp), intent(in) :: time, y(:)
+      real(wp), intent(inout) :: rates(:)
+      real(wp) :: acceleration(3), drag_power, pivot_power
+
+      call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, problem%tension, &
+         drag_power, pivot_power)
+      rates(1:3) = y(4:6)
+      rates(4:6) = acceleration
+      if (problem%drag_work > 0) rates(problem%drag_work) = drag_power
+      if (problem%pivot_work > 0) rates(problem%pivot_work) = pivot_power
+   end subroutine find_rates
+
+   !> dy/dt for GSL.
+   function right_side(t, y, dydt, params) bind(c) result(status)
+      real(c_double), value :: t
+      type(c_ptr), value :: y, dydt, params
+      integer(c_int) :: status
+      real(c_double), pointer :: u(:), du(:)
+      type(problem_type), pointer :: problem
+
+      call c_f_pointer(params, problem)
+      call c_f_pointer(y, u, [problem%unknowns])
+      call c_f_pointer(dydt, du, [problem%unknowns])
+      call find_rates(problem, t, u, du)
+      status = 0
+   end function right_side
+
+end module kyvadlo_stepper

@@ -1,0 +1,117 @@
+!> The surface on which a taut pendulum moves: a sphere, or the torus of two hinges, one for each direction of swing.
+!>
+!> Swinging along x the pendulum is longer by extra_length(1), along y by extra_length(2), and hangs a length below the origin
+!> either way. The hinge of the longer direction, say x, is extra_length(1) above the origin with its axis along y; the rod below it
+!> carries the other hinge, extra_length(2) above the origin at rest. With d = extra_length(1) - extra_length(2) >= 0 and
+!> rho = sqrt(x**2 + (z - extra_length(1))**2) the bob is sqrt((rho - d)**2 + y**2) = l + extra_length(2) away from the
+!> lower hinge; a sphere about the origin when both are zero. The surface is smooth but where the bob meets the axis of the
+!> upper hinge, rho = 0.
+module kyvadlo_suspension
+   use kyvadlo_kinds, only: wp => real64
+   implicit none
+   private
+   public :: suspension_type, new_suspension, stretch, put_on_surface, surface_excess
+
+   type :: suspension_type
+      logical :: is_sphere = .true.
+      real(wp) :: radius = 0          !! Distance of the bob from the lower hinge at rest length [m]
+      integer :: long = 1, short = 2  !! Axes of the longer and of the shorter pendulum
+      real(wp) :: upper = 0           !! Height of the upper hinge [m]
+      real(wp) :: apart = 0           !! Distance of the hinges [m]
+   end type suspension_type
+
+contains
+
+   pure subroutine new_suspension(suspension, length, extra_length)
+      type(suspension_type), intent(out) :: suspension
+      real(wp), intent(in) :: length           !! [m]
+      real(wp), intent(in) :: extra_length(2)  !! Not negative [m]
+
+      suspension%is_sphere = .not. any(extra_length > 0)
+      if (extra_length(2) > extra_length(1)) then
+         suspension%long = 2
+         suspension%short = 1
+      end if
+      suspension%radius = length + extra_length(suspension%short)
+      suspension%upper = extra_length(suspension%long)
+      suspension%apart = extra_length(suspension%long) - extra_length(suspension%short)
+   end subroutine new_suspension
+
+   !> Distance s of the bob from the lower hinge, its gradient, and what of its second time derivative is there without
+   !> acceleration: s'' = outward.a + bending.
+   pure subroutine stretch(suspension, position, velocity, distance, outward, bending)
+      type(suspension_type), intent(in) :: suspension
+      real(wp), intent(in) :: position(3), velocity(3)
+      real(wp), intent(out) :: distance    !! [m]
+      real(wp), intent(out) :: outward(3)  !! Unit vector away from the lower hinge
+      real(wp), intent(out) :: bending     !! [m/s2]
+      real(wp) :: arm(2), speed(2), rho, q, q_rate, rate
+
+      if (suspension%is_sphere) then
+         distance = sqrt(dot_product(position, position))
+         outward = position/distance
+         rate = dot_product(outward, velocity)
+         bending = (dot_product(velocity, velocity) - rate**2)/distance
+         return
+      end if
+      associate (long => suspension%long, short => suspension%short)
+         arm = [position(long), position(3) - suspension%upper]
+         speed = [velocity(long), velocity(3)]
+         rho = sqrt(dot_product(arm, arm))
+         arm = arm/rho
+         q = rho - suspension%apart
+         q_rate = dot_product(arm, speed)
+         distance = sqrt(q**2 + position(short)**2)
+         outward(long) = q*arm(1)/distance
+         outward(3) = q*arm(2)/distance
+         outward(short) = position(short)/distance
+         rate = dot_product(outward, velocity)
+         bending = (q_rate**2 + velocity(short)**2 - rate**2 + q*(dot_product(speed, speed) - q_rate**2)/rho)/distance
+      end associate
+   end subroutine stretch
+
+   !> The nearest point of the surface, and of the velocities tangential to it there.
+   pure subroutine put_on_surface(suspension, position, velocity)
+      type(suspension_type), intent(in) :: suspension
+      real(wp), intent(inout) :: position(3), velocity(3)
+      real(wp) :: distance, outward(3), bending, rho, q, scale
+
+      call stretch(suspension, position, velocity, distance, outward, bending)
+      velocity = velocity - dot_product(outward, velocity)*outward
+      if (suspension%is_sphere) then
+         position = suspension%radius*outward
+         return
+      end if
+      associate (long => suspension%long, short => suspension%short)
+         rho = sqrt(position(long)**2 + (position(3) - suspension%upper)**2)
+         scale = suspension%radius/distance
+         q = (rho - suspension%apart)*scale
+         position(short) = position(short)*scale
+         scale = (q + suspension%apart)/rho
+         position(long) = position(long)*scale
+         position(3) = suspension%upper + (position(3) - suspension%upper)*scale
+      end associate
+   end subroutine put_on_surface
+
+   !> (s**2 - radius**2)/2 at `start` + `way`, where `start` lies on the surface: positive beyond it. Without cancellation for a
+   !> short way, as what `start` itself contributes is zero and left out.
+   pure real(wp) function surface_excess(suspension, start, way) result(excess)
+      type(suspension_type), intent(in) :: suspension
+      real(wp), intent(in) :: start(3), way(3)
+      real(wp) :: arm(2), moved(2), rho, q, change
+
+      if (suspension%is_sphere) then
+         excess = dot_product(start + way/2, way)
+         return
+      end if
+      associate (long => suspension%long, short => suspension%short)
+         arm = [start(long), start(3) - suspension%upper]
+         moved = [way(long), way(3)]
+         rho = norm2(arm)
+         q = rho - suspension%apart
+         change = dot_product(2*arm + moved, moved)/(rho + norm2(arm + moved))
+         excess = (q + change/2)*change + (start(short) + way(short)/2)*way(short)
+      end associate
+   end function surface_excess
+
+end module kyvadlo_suspension
