@@ -31,6 +31,7 @@ module kyvadlo_commands
 
    type(command_type), parameter :: commands(*) = [ &
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
+      command_type('simulate', 'SCENE', 'the samples of a scene: places, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
       command_type('bench', '', 'the cost and the error of our functions beside those of other libraries')]
 
@@ -46,6 +47,9 @@ module kyvadlo_commands
       option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
       option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &
       option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
+      option_type('simulate', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
+      option_type('simulate', '--events', 'FILE', &
+         'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('bench', '--functions', '', 'the elliptic functions'), &
@@ -64,6 +68,9 @@ module kyvadlo_commands
       example_type('table', 'kyvadlo table examples/scenes/laboratory.nml --kind quad', 'with 32 digits'), &
       example_type('table', 'kyvadlo table --upper -0.9:0.9:19 --lower -1:0:11', &
          'T, k, phi(T), lambda T over a grid'), &
+      example_type('simulate', 'kyvadlo simulate examples/scenes/foucault.nml', 'one period as CSV'), &
+      example_type('simulate', 'kyvadlo simulate examples/scenes/slack_string.nml --output -', &
+         'a string that goes slack'), &
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
@@ -77,6 +84,12 @@ module kyvadlo_commands
          'SCENE: Foucault''s pendulum, a wide swing, a conical and a plane one, one near the upright.'), &
       explanation_type('table', &
          'Lengths are in metres, z upward from the centre; t = 0 at the upper turning height.'), &
+      explanation_type('simulate', &
+         'SCENE is a file with one &pendulum group, an &output group (duration, samples, quantities)'), &
+      explanation_type('simulate', &
+         'and at most one group for each effect (doc/scene_format.md); - is standard input. Numbers'), &
+      explanation_type('simulate', &
+         'are in SI units, in the shortest form that reads back exactly, under a line of names.'), &
       explanation_type('eval', &
          'Answers are separated by a blank, in the shortest form that reads back exactly. Without'), &
       explanation_type('eval', &

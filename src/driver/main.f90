@@ -6,6 +6,7 @@ program kyvadlo_main
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
+   use kyvadlo_simulate_command, only: simulate_command
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
    use kyvadlo_status, only: code_file, code_input, error_type, fail
    use kyvadlo_table_command, only: table_command
@@ -48,6 +49,8 @@ contains
                call eval_command(arguments, status, error)
             case ('table')
                call table_command(arguments, error)
+            case ('simulate')
+               call simulate_command(arguments, error)
             case ('bench')
                call bench_command(arguments, error)
             case default

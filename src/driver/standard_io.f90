@@ -9,7 +9,7 @@ module kyvadlo_standard_io
    use kyvadlo_text, only: text_sink_type
    implicit none
    private
-   public :: output_type, open_output, close_output, discard_output, flush_output
+   public :: output_type, open_output, close_output, discard_output, flush_output, has_failed, is_on_terminal
    public :: input_type, read_line
    public :: end_program, is_terminal, message, set_signals
 
@@ -157,6 +157,20 @@ contains
          output%status = kyvadlo_write(output%descriptor, output%buffer, int(output%used, c_long))
       output%used = 0
    end subroutine flush_output
+
+   !> Whether something could not be written: what follows would be lost too.
+   logical function has_failed(output)
+      type(output_type), intent(in) :: output
+
+      has_failed = output%status /= 0
+   end function has_failed
+
+   !> Whether what is written shows on a terminal.
+   logical function is_on_terminal(output)
+      type(output_type), intent(in) :: output
+
+      is_on_terminal = is_terminal(int(output%descriptor))
+   end function is_on_terminal
 
    !> Ends the output; a file appears under its name now, whole, or not at all.
    subroutine close_output(output, error)

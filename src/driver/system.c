@@ -12,13 +12,28 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The unfinished file, for the signal handler: removed when the program is interrupted. */
-static char unfinished[PATH_MAX];
-static char final_name[PATH_MAX];
+/* Files being written: removed when the program is interrupted. An entry without a name is free. */
+struct unfinished_file {
+   int descriptor;
+   char name[PATH_MAX];
+   char final_name[PATH_MAX];
+};
+enum { most_files = 8 };
+static struct unfinished_file files[most_files];
+
+static struct unfinished_file *file_of(int descriptor)
+{
+   int i;
+   for (i = 0; i < most_files; i++)
+      if (files[i].name[0] != '\0' && files[i].descriptor == descriptor) return &files[i];
+   return NULL;
+}
 
 static void remove_unfinished(int signal_number)
 {
-   if (unfinished[0] != '\0') unlink(unfinished);
+   int i;
+   for (i = 0; i < most_files; i++)
+      if (files[i].name[0] != '\0') unlink(files[i].name);
    signal(signal_number, SIG_DFL);
    raise(signal_number);
 }
@@ -59,43 +74,54 @@ int kyvadlo_write(int descriptor, const char *bytes, long size)
 int kyvadlo_open_file(const char *path, int *descriptor)
 {
    struct stat old;
+   struct unfinished_file *file = NULL;
+   char name[PATH_MAX];
    mode_t mode = 0666;
-   int exists = stat(path, &old) == 0;
+   int exists = stat(path, &old) == 0, length, i;
 
-   unfinished[0] = '\0';
    if (exists && S_ISDIR(old.st_mode)) return EISDIR;
    if (exists && access(path, W_OK) != 0) return errno;
    if (exists && !S_ISREG(old.st_mode)) {
       *descriptor = open(path, O_WRONLY);
       return *descriptor < 0 ? errno : 0;
    }
+   for (i = most_files - 1; i >= 0; i--)
+      if (files[i].name[0] == '\0') file = &files[i];
+   if (file == NULL) return EMFILE;
    if (exists) {
       mode = old.st_mode & 0777;
-      if (realpath(path, final_name) == NULL) return errno;
+      if (realpath(path, file->final_name) == NULL) return errno;
    } else {
-      if (strlen(path) >= sizeof final_name) return ENAMETOOLONG;
-      strcpy(final_name, path);
+      if (strlen(path) >= sizeof file->final_name) return ENAMETOOLONG;
+      strcpy(file->final_name, path);
    }
-   {
-      char name[PATH_MAX];
-      int length = snprintf(name, sizeof name, "%s.part%ld", final_name, (long)getpid());
-      if (length >= (int)sizeof name) return ENAMETOOLONG;
-      *descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL, mode);
-      if (*descriptor < 0) return errno;
-      strcpy(unfinished, name);
-   }
+   length = snprintf(name, sizeof name, "%s.part%ld", file->final_name, (long)getpid());
+   if (length >= (int)sizeof name) return ENAMETOOLONG;
+   *descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL, mode);
+   if (*descriptor < 0) return errno;
+   file->descriptor = *descriptor;
+   strcpy(file->name, name);
    return 0;
+}
+
+/* The name under which a file is written until it is whole, for libraries that open files by name; empty for a device or
+   pipe. `text` has room for `size` bytes with the NUL. */
+void kyvadlo_unfinished_name(int descriptor, char *text, int size)
+{
+   struct unfinished_file *file = file_of(descriptor);
+   snprintf(text, (size_t)size, "%s", file == NULL ? "" : file->name);
 }
 
 /* Closes the file and gives it its name; 0 or errno, and then no file is left. */
 int kyvadlo_finish_file(int descriptor)
 {
+   struct unfinished_file *file = file_of(descriptor);
    int status = 0;
    if (close(descriptor) != 0) status = errno;
-   if (unfinished[0] != '\0') {
-      if (status == 0 && rename(unfinished, final_name) != 0) status = errno;
-      if (status != 0) unlink(unfinished);
-      unfinished[0] = '\0';
+   if (file != NULL) {
+      if (status == 0 && rename(file->name, file->final_name) != 0) status = errno;
+      if (status != 0) unlink(file->name);
+      file->name[0] = '\0';
    }
    return status;
 }
@@ -103,9 +129,12 @@ int kyvadlo_finish_file(int descriptor)
 /* Closes the file and leaves nothing behind. */
 void kyvadlo_discard_file(int descriptor)
 {
+   struct unfinished_file *file = file_of(descriptor);
    close(descriptor);
-   if (unfinished[0] != '\0') unlink(unfinished);
-   unfinished[0] = '\0';
+   if (file != NULL) {
+      unlink(file->name);
+      file->name[0] = '\0';
+   }
 }
 
 /* The system's words for an errno, as a string of at most `size` bytes with its NUL. */

@@ -7,7 +7,10 @@ end module kyvadlo_number_text_real32
 
 module kyvadlo_number_text_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
+   use kyvadlo_decimal, only: longest_decimal, put_shortest
+#define has_fast_form
 #include "number_text.inc"
+#undef has_fast_form
 end module kyvadlo_number_text_real64
 
 module kyvadlo_number_text_real128

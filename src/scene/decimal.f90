@@ -1,0 +1,138 @@
+!> The shortest decimal text that reads back as a given double, fast: by whole numbers of 128 bits, all exact.
+!>
+!> A double is m 2**e. Times a power of ten its rounding interval, from half a unit below to half a unit above, has ends that
+!> are whole numbers over a power of two; the text sought is the multiple of the largest power of ten between them, of
+!> several the one nearest to the value. (The principle of Steele and White, PLDI 1990, as Adams, PLDI 2018, uses it.)
+module kyvadlo_decimal
+   use, intrinsic :: iso_fortran_env, only: int64, real64
+   implicit none
+   private
+   public :: put_shortest, longest_decimal
+
+   integer, parameter :: wide = selected_int_kind(38)
+   integer, parameter :: bits = digits(1.0_real64)
+   !> The longest text: sign, 17 figures, point, exponent of three figures.
+   integer, parameter :: longest_decimal = 24
+   !> Magnitudes served. Below, the products would not fit into 127 bits: 55 of four times m, 70 of 5**30; above, the value
+   !> times the power of ten would be a whole number already.
+   real(real64), parameter :: smallest = 2.0_real64**(-46), largest = 2.0_real64**49
+   integer :: i_power
+   integer(wide), parameter :: powers_of_five(0:30) = [(5_wide**i_power, i_power=0, 30)]
+   integer(int64), parameter :: powers_of_ten(0:18) = [(10_int64**i_power, i_power=0, 18)]
+   real(real64), parameter :: log10_of_two = log10(2.0_real64)
+   !> 00 01 02 ... 99
+   character(len=*), parameter :: pairs = &
+      '0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849'// &
+      '5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899'
+
+contains
+
+   !> Writes the text of a value into the first `length` places: `-1.5e+00`, as `shortest_text` does. `length` is 0 where this
+   !> does not serve: zero, infinities, NaN, and magnitudes below 1.5e-14 or above 5.6e14.
+   pure subroutine put_shortest(value, text, length)
+      real(real64), intent(in) :: value
+      character(len=*), intent(inout) :: text    !! At least `longest_decimal` places
+      integer, intent(out) :: length
+      integer(wide) :: centre, below, above, mask
+      integer(int64) :: m, lowest, highest, low, high, first, number, unit
+      integer :: order, scaling, shift, zeros, count
+      logical :: is_even
+
+      length = 0
+      if (.not. (abs(value) >= smallest .and. abs(value) < largest)) return
+      m = int(scale(fraction(abs(value)), bits), int64)
+      order = floor((exponent(value) - 1)*log10_of_two)   ! that of the value, or one less: -14 to 14
+      scaling = 16 - order                                ! value*10**scaling has 17 or 18 figures
+      shift = 2 - (exponent(value) - bits) - scaling
+      is_even = iand(m, 1_int64) == 0
+      centre = 4*int(m, wide)*powers_of_five(scaling)
+      above = centre + 2*powers_of_five(scaling)
+      below = centre - 2*powers_of_five(scaling)
+      if (m == 2_int64**(bits - 1)) below = centre - powers_of_five(scaling)
+      mask = shiftl(1_wide, shift) - 1
+
+      ! Whole numbers in the interval; its ends belong to it where a tie is rounded to this value.
+      low = int(shiftr(centre, shift), int64)
+      highest = int(shiftr(above, shift), int64)
+      if (.not. is_even .and. iand(above, mask) == 0) highest = highest - 1
+      lowest = int(shiftr(below, shift), int64)
+      if (.not. (is_even .and. iand(below, mask) == 0)) lowest = lowest + 1
+
+      do zeros = 1, 17
+         unit = powers_of_ten(zeros)
+         if (highest - mod(highest, unit) < lowest) exit
+      end do
+      zeros = zeros - 1
+      unit = powers_of_ten(zeros)
+      first = low/unit
+      low = first*unit
+      high = low + unit
+      number = first
+      if (low < lowest) then
+         number = first + 1
+      else if (high <= highest) then
+         ! Twice the distance from the lower one, against the distance of the two.
+         centre = 2*(centre - shiftl(int(low, wide), shift))
+         above = shiftl(int(unit, wide), shift)
+         if (centre > above .or. (centre == above .and. iand(first, 1_int64) == 1)) number = first + 1
+      end if
+
+      count = 1
+      do while (count < 18)
+         if (number < powers_of_ten(count)) exit
+         count = count + 1
+      end do
+      if (value < 0) then
+         length = 1
+         text(1:1) = '-'
+      end if
+      call put_figures(number, count, text(length + 1:length + count + 1))
+      text(length + 1:length + 1) = text(length + 2:length + 2)
+      if (count > 1) then
+         text(length + 2:length + 2) = '.'
+         length = length + count + 1
+      else
+         length = length + 1
+      end if
+      order = count - 1 + zeros - scaling
+      text(length + 1:length + 2) = merge('e-', 'e+', order < 0)
+      order = abs(order)
+      text(length + 3:length + 4) = pairs(2*order + 1:2*order + 2)
+      length = length + 4
+   end subroutine put_shortest
+
+   !> The figures of a number, one place behind the begin of the text.
+   pure subroutine put_figures(number, count, text)
+      integer(int64), intent(in) :: number
+      integer, intent(in) :: count
+      character(len=*), intent(inout) :: text
+      integer(int64) :: upper
+      integer :: rest, next, at
+
+      upper = number/1000000000_int64
+      rest = int(number - upper*1000000000_int64)
+      at = count + 1
+      if (upper > 0) then
+         ! Nine figures of the lower part, zeros included.
+         do while (at > count - 7)
+            next = rest/100
+            rest = rest - 100*next
+            text(at - 1:at) = pairs(2*rest + 1:2*rest + 2)
+            rest = next
+            at = at - 2
+         end do
+         text(at:at) = achar(iachar('0') + rest)
+         at = at - 1
+         rest = int(upper)
+      end if
+      do while (at > 2)
+         next = rest/100
+         rest = rest - 100*next
+         text(at - 1:at) = pairs(2*rest + 1:2*rest + 2)
+         rest = next
+         at = at - 2
+      end do
+      if (at == 2) text(2:2) = achar(iachar('0') + rest)
+   end subroutine put_figures
+
+end module kyvadlo_decimal

@@ -1,0 +1,155 @@
+!> Samples as lines of CSV.
+module kyvadlo_sample_text
+   use kyvadlo_decimal, only: longest_decimal, put_shortest
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_number_text, only: shortest_text
+   use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
+   use kyvadlo_text, only: text_sink_type, text_type
+   implicit none
+   private
+   public :: csv_samples_type, new_csv_samples, event_head, event_row
+
+   !> A head with the names of the columns, then a line for each sample; numbers in the shortest form that reads back
+   !> exactly, nothing for what does not exist. Events are comment lines, or rows of a sheet of their own.
+   type, extends(sample_sink_type) :: csv_samples_type
+      private
+      class(text_sink_type), pointer :: lines => null()
+      class(text_sink_type), pointer :: events => null()     !! Not associated: events become comment lines
+      type(text_type), allocatable :: strips(:)              !! Buffers
+   contains
+      procedure :: begin => begin_csv
+      procedure :: take => take_csv
+      procedure :: note => note_csv
+   end type csv_samples_type
+
+   character(len=*), parameter :: event_head = 't,event,x,y,z,energy_lost'
+   character(len=*), parameter :: line_end = new_line('a')
+   !> Threads share the work in strips of so many lines: 0.2 ms each.
+   integer, parameter :: strip_size = 512
+
+contains
+
+   !> Lines to a sink that must outlive the result; events to another one if it is given.
+   function new_csv_samples(lines, events) result(sink)
+      class(text_sink_type), intent(in), target :: lines
+      class(text_sink_type), intent(in), target, optional :: events
+      type(csv_samples_type) :: sink
+
+      sink%lines => lines
+      if (present(events)) sink%events => events
+   end function new_csv_samples
+
+   subroutine begin_csv(sink, columns)
+      class(csv_samples_type), intent(inout) :: sink
+      type(column_type), intent(in) :: columns(:)
+      character(len=:), allocatable :: line
+      integer :: i
+
+      line = trim(columns(1)%name)
+      do i = 2, size(columns)
+         line = line//','//trim(columns(i)%name)
+      end do
+      call sink%lines%put(line)
+      if (associated(sink%events)) call sink%events%put(event_head)
+   end subroutine begin_csv
+
+   subroutine take_csv(sink, values, goes_on)
+      class(csv_samples_type), intent(inout) :: sink
+      real(wp), intent(in) :: values(:, :)
+      logical, intent(out) :: goes_on
+      integer :: used((size(values, 1) + strip_size - 1)/strip_size)
+      integer :: strip
+
+      goes_on = .true.
+      call make_room(sink, size(used), size(values, 2))
+      !$omp parallel do schedule(dynamic) if(size(used) > 1)
+      do strip = 1, size(used)
+         call write_lines(values(strip_size*(strip - 1) + 1:min(strip_size*strip, size(values, 1)), :), &
+            sink%strips(strip)%text, used(strip))
+      end do
+      do strip = 1, size(used)
+         call sink%lines%put(sink%strips(strip)%text(:used(strip)))
+      end do
+   end subroutine take_csv
+
+   !> Buffers for so many strips.
+   subroutine make_room(sink, strips, columns)
+      type(csv_samples_type), intent(inout) :: sink
+      integer, intent(in) :: strips, columns
+      type(text_type), allocatable :: more(:)
+      integer :: i, old
+
+      old = 0
+      if (allocated(sink%strips)) old = size(sink%strips)
+      if (strips <= old) return
+      allocate (more(strips))
+      do i = 1, old
+         call move_alloc(sink%strips(i)%text, more(i)%text)
+      end do
+      do i = old + 1, strips
+         allocate (character(len=strip_size*columns*(longest_decimal + 1)) :: more(i)%text)
+      end do
+      call move_alloc(more, sink%strips)
+   end subroutine make_room
+
+   !> Some lines, the last without its end: the sink adds it.
+   pure subroutine write_lines(values, buffer, used)
+      real(wp), intent(in) :: values(:, :)
+      character(len=*), intent(inout) :: buffer
+      integer, intent(out) :: used
+      integer :: i, j
+
+      used = 0
+      do i = 1, size(values, 1)
+         do j = 1, size(values, 2)
+            call put_number(values(i, j), buffer, used)
+            if (j == size(values, 2)) exit
+            used = used + 1
+            buffer(used:used) = ','
+         end do
+         if (i == size(values, 1)) exit
+         used = used + 1
+         buffer(used:used) = line_end
+      end do
+   end subroutine write_lines
+
+   subroutine note_csv(sink, event)
+      class(csv_samples_type), intent(inout) :: sink
+      type(scene_event_type), intent(in) :: event
+
+      if (associated(sink%events)) then
+         call sink%events%put(event_row(event))
+      else
+         call sink%lines%put('# '//trim(event%what)//': t = '//shortest_text(event%time)//' s, x = ' &
+            //shortest_text(event%position(1))//' m, y = '//shortest_text(event%position(2))//' m, z = ' &
+            //shortest_text(event%position(3))//' m, energy lost = '//shortest_text(event%energy_lost)//' m2/s2')
+      end if
+   end subroutine note_csv
+
+   !> An event under `event_head`.
+   pure function event_row(event) result(row)
+      type(scene_event_type), intent(in) :: event
+      character(len=:), allocatable :: row
+
+      row = shortest_text(event%time)//','//trim(event%what)//','//shortest_text(event%position(1))//',' &
+         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','//shortest_text(event%energy_lost)
+   end function event_row
+
+   !> Appends a number to a buffer.
+   pure subroutine put_number(value, buffer, used)
+      real(wp), intent(in) :: value
+      character(len=*), intent(inout) :: buffer
+      integer, intent(inout) :: used
+      character(len=:), allocatable :: text
+      integer :: length
+
+      call put_shortest(value, buffer(used + 1:), length)
+      if (length == 0 .and. value == value) then
+         text = shortest_text(value)
+         length = len(text)
+         buffer(used + 1:used + length) = text
+      end if
+      used = used + length
+   end subroutine put_number
+
+end module kyvadlo_sample_text

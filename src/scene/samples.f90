@@ -1,0 +1,54 @@
+!> Who takes the samples of a simulation: block by block, with the events between them in the order of time.
+module kyvadlo_samples
+   use kyvadlo_kinds, only: wp => real64
+   implicit none
+   private
+   public :: sample_sink_type, column_type, scene_event_type
+
+   !> A column of numbers.
+   type :: column_type
+      character(len=11) :: name
+      character(len=7) :: unit           !! As UDUNITS writes it
+      character(len=64) :: meaning
+   end type column_type
+
+   !> Something that happened between two samples.
+   type :: scene_event_type
+      real(wp) :: time = 0               !! [s]
+      character(len=24) :: what = ''
+      real(wp) :: position(3) = 0        !! [m]
+      real(wp) :: energy_lost = 0        !! Per mass [m2/s2]
+   end type scene_event_type
+
+   type, abstract :: sample_sink_type
+   contains
+      procedure(begin_samples), deferred :: begin
+      procedure(take_samples), deferred :: take
+      procedure(note_event), deferred :: note
+   end type sample_sink_type
+
+   abstract interface
+      !> Called once, before all others.
+      subroutine begin_samples(sink, columns)
+         import :: sample_sink_type, column_type
+         class(sample_sink_type), intent(inout) :: sink
+         type(column_type), intent(in) :: columns(:)     !! The first is the time
+      end subroutine begin_samples
+
+      !> Some samples.
+      subroutine take_samples(sink, values, goes_on)
+         import :: sample_sink_type, wp
+         class(sample_sink_type), intent(inout) :: sink
+         real(wp), intent(in) :: values(:, :)            !! (sample, column)
+         logical, intent(out) :: goes_on                 !! .false.: no more are wanted
+      end subroutine take_samples
+
+      !> An event later than the samples before it, and not later than those that follow.
+      subroutine note_event(sink, event)
+         import :: sample_sink_type, scene_event_type
+         class(sample_sink_type), intent(inout) :: sink
+         type(scene_event_type), intent(in) :: event
+      end subroutine note_event
+   end interface
+
+end module kyvadlo_samples

@@ -1,0 +1,150 @@
+!> How a scene is computed: the one place where the path is chosen.
+module kyvadlo_simulation_path
+   use kyvadlo
+   use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_namelist_file, only: place_of
+   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene_groups
+   use kyvadlo_scene_orbit, only: pendulum_orbit
+   use kyvadlo_simulation, only: simulation_type
+   use kyvadlo_status, only: code_unsupported, error_type, fail
+   implicit none
+   private
+   public :: path_type, choose_path, asks_for_integration
+   public :: path_constant, path_closed_form, path_string, path_integrated
+
+   integer, parameter :: path_constant = 1      !! At rest: every sample is the start
+   integer, parameter :: path_closed_form = 2   !! One orbit for all times
+   integer, parameter :: path_string = 3        !! Orbits and free flights, event by event
+   integer, parameter :: path_integrated = 4    !! Newton's equations by GSL
+
+   !> What the samples are computed from.
+   type :: path_type
+      integer :: path = 0                       !! One of the `path_*` constants
+      type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
+      type(string_motion_type) :: string        !! Of `path_string`
+      real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
+      real(wp) :: duration = 0                  !! [s]
+      character(len=:), allocatable :: method   !! In words
+      character(len=:), allocatable :: reason   !! In words
+   end type path_type
+
+   real(wp), parameter :: pi = acos(-1.0_wp)
+
+contains
+
+   !> Chooses the cheapest path that is exact, and integration only for what has no closed form.
+   !>
+   !> Errors: a start that determines no orbit; effects in a build without an integrator; a string with more events than
+   !> `new_string_motion` follows.
+   pure subroutine choose_path(simulation, path, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(out) :: path
+      type(error_type), allocatable, intent(out) :: error
+      type(pendulum_type) :: pendulum
+      real(wp) :: position(3), velocity(3)
+
+      associate (settings => simulation%settings)
+         pendulum = simulation%pendulum
+         pendulum%gravity = effective_gravity(pendulum%gravity, settings%density_ratio, settings%added_mass)
+         path%inertia = effective_inertia(settings%density_ratio, settings%added_mass)
+         call pendulum_orbit(pendulum, path%orbit, error)
+         if (allocated(error)) return
+         path%duration = settings%duration
+         if (.not. path%duration > 0) path%duration = default_duration(path%orbit)
+
+         if (asks_for_integration(simulation)) then
+            path%path = path_integrated
+            path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
+            path%reason = integrated_groups(simulation)//': no closed form'
+         else if (settings%given(string_group) .and. lowest_tension(path%orbit) < 0) then
+            path%path = path_string
+            path%method = 'closed forms of swings on the sphere and free flights, event by event'
+            path%reason = '&string goes slack: its tension would be negative at the upper turning height'
+            call locate(path%orbit, 0.0_wp, position, velocity)
+            call new_string_motion(path%string, pendulum%length, pendulum%gravity, position, velocity, settings%restitution, &
+               path%duration, error)
+            if (allocated(error)) return
+            if (.not. path%string%is_complete) call fail(error, code_unsupported, place_of(settings%file, &
+               settings%line(string_group))//'&string: too many events before the end of the duration; shorten it')
+         else if (path%orbit%motion == motion_rest .or. path%orbit%motion == motion_upright) then
+            path%path = path_constant
+            path%method = 'the start, repeated'
+            path%reason = 'the bob is at rest at its '//merge('lowest ', 'highest', path%orbit%motion == motion_rest)
+            path%reason = trim(path%reason)//' point'
+         else
+            path%path = path_closed_form
+            path%method = closed_form_words(path%orbit)
+            path%reason = 'no effect without a closed form is asked for'
+            if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
+         end if
+      end associate
+   end subroutine choose_path
+
+   !> Whether a group without a closed form stands in the scene.
+   pure logical function asks_for_integration(simulation)
+      type(simulation_type), intent(in) :: simulation
+
+      asks_for_integration = integrated_groups(simulation) /= ''
+   end function asks_for_integration
+
+   !> Those groups, in words.
+   pure function integrated_groups(simulation) result(words)
+      type(simulation_type), intent(in) :: simulation
+      character(len=:), allocatable :: words
+      integer, parameter :: integrated(6) = [air_group, wind_group, earth_rotation_group, moving_pivot_group, &
+         elastic_group, anisotropic_support_group]
+      integer :: i
+
+      words = ''
+      do i = 1, size(integrated)
+         if (.not. simulation%settings%given(integrated(i))) cycle
+         if (words /= '') words = words//', '
+         words = words//'&'//trim(group_names(integrated(i)))
+      end do
+   end function integrated_groups
+
+   !> The tension over mass at the highest point of an orbit, (2 c1 - 3 g z1)/l [m/s2].
+   pure real(wp) function lowest_tension(orbit)
+      type(orbit_type), intent(in) :: orbit
+
+      lowest_tension = (2*orbit_energy(orbit) - 3*orbit%gravity*orbit%turning%upper)/orbit%length
+   end function lowest_tension
+
+   !> One period: of the height, of a plane swing to and fro, of a revolution of a conical pendulum; for the motion that never
+   !> reaches the top and for rest at it, 4 sqrt(l/g).
+   pure real(wp) function default_duration(orbit) result(duration)
+      type(orbit_type), intent(in) :: orbit
+
+      select case (orbit%motion)
+      case (motion_conical)
+         duration = 2*pi*sqrt(-orbit%turning%upper/orbit%gravity)
+      case (motion_plane_libration)
+         duration = 2*height_period(orbit)
+      case (motion_separatrix, motion_upright)
+         duration = 4*sqrt(orbit%length/orbit%gravity)
+      case default
+         duration = height_period(orbit)
+      end select
+   end function default_duration
+
+   pure function closed_form_words(orbit) result(words)
+      type(orbit_type), intent(in) :: orbit
+      character(len=:), allocatable :: words
+
+      select case (orbit%motion)
+      case (motion_conical)
+         words = 'closed form of the conical pendulum: a uniform circle, by the batch kernel'
+      case (motion_plane_libration)
+         words = 'closed form of the plane swing, by the batch kernel'
+      case (motion_plane_rotation)
+         words = 'closed form of the plane revolution, by the batch kernel'
+      case (motion_separatrix)
+         words = 'closed form of the motion towards the top, in hyperbolic functions'
+      case default
+         words = 'closed form of the spherical pendulum in theta functions, by the batch kernel'
+      end select
+   end function closed_form_words
+
+end module kyvadlo_simulation_path
