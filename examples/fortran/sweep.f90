@@ -8,7 +8,8 @@ program sweep
    real(wp), parameter :: pi = acos(-1.0_wp)
    real(wp), allocatable :: angle(:)
    character(len=40) :: text
-   integer :: orbits, status, i
+   integer, parameter :: share = 1000   ! orbits handed to a thread at a time
+   integer :: orbits, status, start_of_share, i
    integer(int64) :: start, finish, rate
 
    orbits = 1000000
@@ -23,10 +24,12 @@ program sweep
 
    allocate (angle(orbits))
    call system_clock(start, rate)
-   ! Set-ups are pure and share nothing: the loop may run in any order, on any number of threads.
-   !$omp parallel do schedule(static)
-   do i = 1, orbits
-      angle(i) = apsidal_angle_of(i)
+   ! Set-ups are pure and share nothing: the orbits may be taken in any order (do concurrent), on any number of threads (OpenMP).
+   !$omp parallel do schedule(static) private(i)
+   do start_of_share = 1, orbits, share
+      do concurrent (i=start_of_share:min(start_of_share + share - 1, orbits))
+         angle(i) = apsidal_angle_of(i)
+      end do
    end do
    call system_clock(finish)
 

@@ -1,16 +1,17 @@
-"""One orbit through ctypes, printed as CSV and drawn, seen from above, where matplotlib is installed.
+"""One orbit through ctypes, printed as CSV and drawn, seen from above.
 
-    python3 orbit.py [LIBRARY] [PICTURE]
+    python3 orbit.py [LIBRARY [PICTURE]]
 
-LIBRARY is the shared libkyvadlo (default: the one the system finds), PICTURE the file to draw into. Nothing is compiled, and
-nothing but Python's own modules is needed to print.
+LIBRARY is the shared libkyvadlo (default: the one the system finds), PICTURE an SVG file to draw into. Nothing is compiled,
+and nothing but Python's own modules is needed.
 """
 import ctypes
 import ctypes.util
+import math
 import sys
 
 GRAVITY = 9.80665
-PERIODS, ROWS = 5, 40
+PERIODS, ROWS = 9, 80
 
 
 def load(path):
@@ -61,20 +62,21 @@ def main():
     else:
         sys.exit("orbit.py: an impossible orbit was accepted")
 
-    picture = sys.argv[2] if len(sys.argv) > 2 else None
-    if picture:
-        try:
-            import matplotlib
-        except ImportError:
-            print("no matplotlib here: nothing drawn", file=sys.stderr)
-            return
-        matplotlib.use("Agg")
-        from matplotlib import pyplot
-        pyplot.plot(places[0::3], places[1::3])
-        pyplot.gca().set_aspect("equal")
-        pyplot.xlabel("x [m]")
-        pyplot.ylabel("y [m]")
-        pyplot.savefig(picture)
+    if len(sys.argv) > 2:
+        with open(sys.argv[2], "w", encoding="ascii") as picture:
+            picture.write(drawing(places[0::3], places[1::3]))
 
 
-main()
+def drawing(x, y):
+    """The path seen from above (x to the right, y up the page) between the circles of the turning heights, as SVG."""
+    radii = [math.hypot(a, b) for a, b in zip(x, y)]
+    circles = "".join(f'<circle r="{r:.4f}"/>' for r in (min(radii), max(radii)))
+    path = " ".join(f"{a:.4f},{-b:.4f}" for a, b in zip(x, y))
+    return ('<svg xmlns="http://www.w3.org/2000/svg" width="480" height="480" viewBox="-1.05 -1.05 2.1 2.1" fill="none">'
+            '<rect x="-1.05" y="-1.05" width="2.1" height="2.1" fill="white"/>'
+            f'<g stroke="silver" stroke-width="0.006">{circles}</g>'
+            f'<polyline stroke="black" stroke-width="0.008" points="{path}"/></svg>\n')
+
+
+if __name__ == "__main__":
+    main()

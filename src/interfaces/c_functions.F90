@@ -1,6 +1,6 @@
 !> The elliptic functions for C, in double precision: kyvadlo_ before the Fortran name, arguments by value.
 !>
-!> One procedure a function, each made from `c_scalar_<number of arguments>.inc`; documented in kyvadlo.h.
+!> One procedure a function, each made from `c_scalar.inc`; documented in kyvadlo.h.
 module kyvadlo_c_functions
    use, intrinsic :: iso_c_binding, only: c_double
    use kyvadlo
@@ -43,127 +43,158 @@ contains
 
 #define c_name kyvadlo_elliptic_k
 #define f_name elliptic_k
-#include "c_scalar_1.inc"
+#define f_arguments m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_kc
 #define f_name elliptic_kc
-#include "c_scalar_1.inc"
+#define f_arguments mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_e
 #define f_name elliptic_e
-#include "c_scalar_1.inc"
+#define f_arguments m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_ec
 #define f_name elliptic_ec
-#include "c_scalar_1.inc"
+#define f_arguments mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_d
 #define f_name elliptic_d
-#include "c_scalar_1.inc"
+#define f_arguments m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_dc
 #define f_name elliptic_dc
-#include "c_scalar_1.inc"
+#define f_arguments mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_b
 #define f_name elliptic_b
-#include "c_scalar_1.inc"
+#define f_arguments m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_bc
 #define f_name elliptic_bc
-#include "c_scalar_1.inc"
+#define f_arguments mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_nome
 #define f_name elliptic_nome
-#include "c_scalar_1.inc"
+#define f_arguments m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_nomec
 #define f_name elliptic_nomec
-#include "c_scalar_1.inc"
+#define f_arguments mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_carlson_rc
 #define f_name carlson_rc
-#include "c_scalar_2.inc"
+#define f_arguments x, y
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_pi
 #define f_name elliptic_pi
-#include "c_scalar_2.inc"
+#define f_arguments n, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_pic
 #define f_name elliptic_pic
-#include "c_scalar_2.inc"
+#define f_arguments n, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_f
 #define f_name elliptic_f
-#include "c_scalar_2.inc"
+#define f_arguments phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_fc
 #define f_name elliptic_fc
-#include "c_scalar_2.inc"
+#define f_arguments phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_einc
 #define f_name elliptic_einc
-#include "c_scalar_2.inc"
+#define f_arguments phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_eincc
 #define f_name elliptic_eincc
-#include "c_scalar_2.inc"
+#define f_arguments phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_dinc
 #define f_name elliptic_dinc
-#include "c_scalar_2.inc"
+#define f_arguments phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_dincc
 #define f_name elliptic_dincc
-#include "c_scalar_2.inc"
+#define f_arguments phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_binc
 #define f_name elliptic_binc
-#include "c_scalar_2.inc"
+#define f_arguments phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_bincc
 #define f_name elliptic_bincc
-#include "c_scalar_2.inc"
+#define f_arguments phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_jacobi_zeta
 #define f_name jacobi_zeta
-#include "c_scalar_2.inc"
+#define f_arguments u, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_jacobi_zetac
 #define f_name jacobi_zetac
-#include "c_scalar_2.inc"
+#define f_arguments u, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_heuman_lambda
 #define f_name heuman_lambda
-#include "c_scalar_2.inc"
+#define f_arguments phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_heuman_lambdac
 #define f_name heuman_lambdac
-#include "c_scalar_2.inc"
+#define f_arguments phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_carlson_rf
 #define f_name carlson_rf
-#include "c_scalar_3.inc"
+#define f_arguments x, y, z
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_carlson_rd
 #define f_name carlson_rd
-#include "c_scalar_3.inc"
+#define f_arguments x, y, z
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_carlson_rg
 #define f_name carlson_rg
-#include "c_scalar_3.inc"
+#define f_arguments x, y, z
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_piinc
 #define f_name elliptic_piinc
-#include "c_scalar_3.inc"
+#define f_arguments n, phi, m
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_elliptic_piincc
 #define f_name elliptic_piincc
-#include "c_scalar_3.inc"
+#define f_arguments n, phi, mc
+#include "c_scalar.inc"
 
 #define c_name kyvadlo_carlson_rj
 #define f_name carlson_rj
-#include "c_scalar_4.inc"
+#define f_arguments x, y, z, p
+#include "c_scalar.inc"
 
    pure subroutine kyvadlo_sncndn(argument, parameter, sn, cn, dn, am) bind(c)
       real(c_double), value :: argument, parameter

@@ -39,8 +39,8 @@ module kyvadlo_c_orbits
    public :: kyvadlo_time_to_azimuth
    public :: kyvadlo_next_turning_time
 
-   !> Doubles in the struct; KYVADLO_ORBIT_SIZE in kyvadlo.h. An orbit takes 216; the checks of array bounds in the debug and
-   !> sanitize builds would find one that outgrows it.
+   !> Doubles in the struct; KYVADLO_ORBIT_SIZE in kyvadlo.h. An orbit takes 216; test/unit/test_interface_room.pf finds one that
+   !> outgrows it.
    integer, parameter :: orbit_size = 288
 
    type, bind(c), public :: c_orbit_type
@@ -188,7 +188,6 @@ contains
       call deliver(made, error, orbit, message, capacity, code)
    end function kyvadlo_orbit_from_state
 
-   !> z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l.
    !> z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l.
    subroutine kyvadlo_turning(orbit, values) bind(c)
       type(c_orbit_type), intent(in), target :: orbit

@@ -3,7 +3,7 @@
 #   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -DFLAGS=<Fortran flags> -DC_FLAGS=<...>
 #         -DBUILD=<built tree>                      the static or shared libraries of that tree, or
 #         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised
-#         -DDPKG_DEB=<program>                      what the Debian package would install, unpacked  -P consumer.cmake
+#         -DDPKG_DEB=<program> [-DSHLIBDEPS=<...>]  what the Debian package would install, unpacked  -P consumer.cmake
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -21,6 +21,10 @@ if(DPKG_DEB)
   run(${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/package -D CPACK_CMAKE_GENERATOR=Ninja)
   file(GLOB package ${WORK}/package/*.deb)
   run(${DPKG_DEB} --info ${package})
+  execute_process(COMMAND ${DPKG_DEB} --field ${package} Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
+  if(SHLIBDEPS AND NOT depends MATCHES "libc6.*libgfortran")
+    message(FATAL_ERROR "the package does not name the libraries that the program needs: ${depends}")
+  endif()
   run(${DPKG_DEB} --extract ${package} ${WORK}/unpacked)
   file(RENAME ${WORK}/unpacked/usr ${WORK}/prefix)
 else()
@@ -35,6 +39,12 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/test/consumer -B ${WORK}/consumer -G ${GENERAT
   "-DCMAKE_Fortran_FLAGS=${FLAGS}" "-DCMAKE_C_FLAGS=${C_FLAGS}" "-DCMAKE_CXX_FLAGS=${C_FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/consumer --output-on-failure --no-tests=error)
+
+# And one that knows no Fortran.
+run(${CMAKE_COMMAND} -S ${SOURCE}/test/consumer/without_fortran -B ${WORK}/without_fortran -G ${GENERATOR}
+  -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_C_FLAGS=${C_FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/without_fortran)
+run(${WORK}/without_fortran/orbit_c)
 
 # The same through pkg-config, where it is installed: Fortran with the run-time libraries of its compiler, C without; the C
 # compiler is told of the C library's mathematics only.
@@ -52,9 +62,9 @@ if(PKG_CONFIG AND GFORTRAN)
   endif()
   execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${static} kyvadlo OUTPUT_VARIABLE found COMMAND_ERROR_IS_FATAL ANY
     OUTPUT_STRIP_TRAILING_WHITESPACE)
-  foreach(source with_everything.f90 legacy.f)
+  foreach(source test/consumer/with_everything.f90 test/consumer/legacy.f examples/fortran77/periods.f)
     separate_arguments(flags UNIX_COMMAND "${FLAGS} ${found}")
-    run(${GFORTRAN} -o ${WORK}/by_pkg_config ${SOURCE}/test/consumer/${source} ${flags} -Wl,-rpath,${libraries})
+    run(${GFORTRAN} -o ${WORK}/by_pkg_config ${SOURCE}/${source} ${flags} -Wl,-rpath,${libraries})
     run(${WORK}/by_pkg_config)
   endforeach()
   if(CC)
@@ -91,9 +101,41 @@ if(SHARED AND NM)
   endforeach()
 endif()
 
+# A SONAME of the major version, and the link that a linker looks for.
+find_program(READELF readelf)
+if(SHARED AND READELF)
+  file(STRINGS ${SOURCE}/CMakeLists.txt version REGEX "^project\\(kyvadlo VERSION ")
+  string(REGEX REPLACE ".*VERSION ([0-9]+)[.]([0-9.]+).*" "\\1" major "${version}")
+  foreach(name kyvadlo_core kyvadlo kyvadlo_slatec)
+    file(GLOB_RECURSE library ${WORK}/prefix/*/lib${name}.so)
+    execute_process(COMMAND ${READELF} -d ${library} OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT dynamic MATCHES "SONAME[^\n]*\\[lib${name}[.]so[.]${major}\\]")
+      message(FATAL_ERROR "lib${name}.so has no SONAME lib${name}.so.${major}: ${dynamic}")
+    endif()
+  endforeach()
+endif()
+
 # Python reaches the shared library through ctypes.
 find_program(PYTHON3 python3)
 if(SHARED AND PYTHON3)
   file(GLOB_RECURSE library ${WORK}/prefix/*/libkyvadlo.so)
-  run(${PYTHON3} ${SOURCE}/examples/python/orbit.py ${library} ${WORK}/orbit.png)
+  run(${PYTHON3} ${SOURCE}/examples/python/orbit.py ${library} ${WORK}/orbit.svg)
+  file(READ ${WORK}/orbit.svg picture)
+  if(NOT picture MATCHES "<polyline [^>]*points=\"0.9539,-0.0000 ")
+    message(FATAL_ERROR "the picture does not begin at the upper turning point: ${picture}")
+  endif()
+endif()
+
+# The program, its manual page and its completion.
+run(${WORK}/prefix/bin/kyvadlo eval K 0.5)
+foreach(file share/man/man1/kyvadlo.1 share/bash-completion/completions/kyvadlo include/kyvadlo.h)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+
+# The programs that the pages show.
+if(PKG_CONFIG AND GFORTRAN AND CC)
+  execute_process(COMMAND sh ${SOURCE}/test/checks/snippets.sh ${SOURCE} programs ${WORK}/prefix "${FLAGS}" "${C_FLAGS}" "${static}"
+    COMMAND_ERROR_IS_FATAL ANY)
 endif()

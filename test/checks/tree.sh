@@ -59,6 +59,21 @@ unnamed=$(for source in src/elliptic/*.F90 src/pendulum/*.F90; do
 done)
 [ -z "$unnamed" ] || { printf 'modules used by included files only:\n%s\n' "$unnamed"; breaches=$((breaches + 1)); }
 
+# What a page quotes behind <!-- lines of FILE --> stands in FILE, and every page is named in the README.
+quoted=$(awk '
+   /^<!-- lines of [^ ]+ -->$/ {
+      file = $4; from = FNR; count = 0
+      delete line; while ((getline text < file) > 0) line[text] = 1
+      close(file); inside = 1; next
+   }
+   inside && /^```/ { fenced = !fenced; if (!fenced) inside = 0; next }
+   inside && /^$/ && !fenced { if (!count) print FILENAME ":" from ": quotes nothing of " file; inside = 0; next }
+   inside && !/^$/ { count++; if (!($0 in line)) print FILENAME ":" FNR ": not in " file ": " $0 }' README.md doc/*.md)
+[ -z "$quoted" ] || { printf 'quoted wrongly:\n%s\n' "$quoted"; breaches=$((breaches + 1)); }
+for page in doc/*.md; do
+   grep -q -F "($page)" README.md || { echo "README.md does not name $page"; breaches=$((breaches + 1)); }
+done
+
 # One version: fpm cannot read it from CMake.
 version=$(sed -n 's/^project(kyvadlo VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 grep -q "^version = \"$version\"$" fpm.toml || { echo "fpm.toml is not of version $version"; breaches=$((breaches + 1)); }

@@ -10,7 +10,9 @@ module kyvadlo_f77_work
    private
    public :: work_length, ier_short, ier_foreign, ier_count, pack_orbit, unpack_orbit, code_of, nan
 
-   integer, parameter :: work_length = 300 !! Elements of WORK that a set-up needs; an orbit takes 216
+   !> Elements of WORK that a set-up needs. An orbit takes 216 and its mark 1 (test/unit/test_interface_room.pf); the rest is
+   !> room for later versions, so that no caller need be changed.
+   integer, parameter :: work_length = 300
    integer, parameter :: ier_short = 11    !! LWORK is less than that
    integer, parameter :: ier_foreign = 12  !! WORK was not filled by a set-up of this library, or by one that failed
    integer, parameter :: ier_count = 13    !! A number of times below 0
@@ -103,52 +105,19 @@ subroutine kyvroo(length, gravity, energy, momentum, roots, gaps, ier)
 end subroutine kyvroo
 
 !> CALL KYVSET(EL, G, Z1, Z2, WORK, LWORK, IER): the orbit between the turning heights into WORK.
-subroutine kyvset(length, gravity, upper, lower, work, work_size, ier)
-   use kyvadlo
-   use kyvadlo_f77_work
-   implicit none
-   integer, intent(in) :: work_size
-   double precision, intent(in) :: length, gravity, upper, lower
-   double precision, intent(inout) :: work(*)
-   integer, intent(out) :: ier
-   type(orbit_type) :: orbit
-   type(error_type), allocatable :: error
-
-   call new_orbit_from_heights(orbit, length, gravity, upper, lower, error)
-   call pack_orbit(orbit, error, work, work_size, ier)
-end subroutine kyvset
+#define f77_name kyvset
+#define f_name new_orbit_from_heights
+#include "f77_set_up.inc"
 
 !> CALL KYVGAP(EL, G, H1, D2, WORK, LWORK, IER): the orbit with the gaps l-z1 and l+z2 into WORK.
-subroutine kyvgap(length, gravity, top_gap, bottom_gap, work, work_size, ier)
-   use kyvadlo
-   use kyvadlo_f77_work
-   implicit none
-   integer, intent(in) :: work_size
-   double precision, intent(in) :: length, gravity, top_gap, bottom_gap
-   double precision, intent(inout) :: work(*)
-   integer, intent(out) :: ier
-   type(orbit_type) :: orbit
-   type(error_type), allocatable :: error
-
-   call new_orbit_from_gaps(orbit, length, gravity, top_gap, bottom_gap, error)
-   call pack_orbit(orbit, error, work, work_size, ier)
-end subroutine kyvgap
+#define f77_name kyvgap
+#define f_name new_orbit_from_gaps
+#include "f77_set_up.inc"
 
 !> CALL KYVENE(EL, G, C1, C2, WORK, LWORK, IER): the orbit of energy c1 and angular momentum c2 per mass into WORK.
-subroutine kyvene(length, gravity, energy, momentum, work, work_size, ier)
-   use kyvadlo
-   use kyvadlo_f77_work
-   implicit none
-   integer, intent(in) :: work_size
-   double precision, intent(in) :: length, gravity, energy, momentum
-   double precision, intent(inout) :: work(*)
-   integer, intent(out) :: ier
-   type(orbit_type) :: orbit
-   type(error_type), allocatable :: error
-
-   call new_orbit_from_energy(orbit, length, gravity, energy, momentum, error)
-   call pack_orbit(orbit, error, work, work_size, ier)
-end subroutine kyvene
+#define f77_name kyvene
+#define f_name new_orbit_from_energy
+#include "f77_set_up.inc"
 
 !> CALL KYVSTA(EL, G, X, V, WORK, LWORK, IER): the orbit through position X(3) with velocity V(3) at t = 0 into WORK.
 subroutine kyvsta(length, gravity, position, velocity, work, work_size, ier)
