@@ -20,6 +20,7 @@ module kyvadlo
       new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises, new_orbit_from_release, &
       new_orbit_from_energy, new_orbit_from_energy_above_top, new_orbit_from_energy_above_bottom, from_upper_turning
    use kyvadlo_state
+   use kyvadlo_start
    use kyvadlo_motion, only: height_period, modulus, complementary_modulus, quarter_period, nome, phase_rate, &
       azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, apsidal_rate, &
       orbit_energy, orbit_momentum, &
@@ -28,6 +29,7 @@ module kyvadlo
    use kyvadlo_string
    use kyvadlo_passage, only: time_to_height, time_to_rise, time_to_azimuth, next_turning_time
    use kyvadlo_batch, only: locate_batch, locate_many
+   use kyvadlo_accuracy
    use kyvadlo_periods, only: period_from_gaps, periods_from_gaps
    implicit none
    public

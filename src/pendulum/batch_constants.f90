@@ -18,6 +18,17 @@ module kyvadlo_batch_constants
    integer, parameter :: form_direct_odd = 2   !! Nome q, F in odd multiples ("rot")
    integer, parameter :: form_dual = 3         !! Nome q', bottom and top
 
+   !> What the kernels leave out for a lower accuracy: kyvadlo_accuracy chooses, batch_kernel.inc tells what.
+   integer, parameter :: grade_full = 0, most_grade = 4
+   !> Harmonics above these are left out.
+   integer, parameter :: grade_harmonics(0:most_grade) = [3, 1, 2, 2, 3]
+   !> Grades that compute in real32 once the phase is reduced, which they do in real64.
+   logical, parameter :: grade_is_narrow(0:most_grade) = [.false., .true., .true., .false., .false.]
+   !> The largest errors of sine and cosine, and of cosh and sinh relative to cosh, as printed in batch_polynomials*.inc; with
+   !> |sin| <= 0.7072, sinh/cosh <= 0.3334.
+   real(real64), parameter :: grade_sine_error(0:most_grade) = [real(real64) :: 2.8e-17, 4.0e-5, 2.5e-8, 3.4e-12, 3.4e-15]
+   real(real64), parameter :: grade_cosh_error(0:most_grade) = [real(real64) :: 1.2e-17, 3.1e-7, 7.4e-9, 1.6e-12, 5.4e-14]
+
    !> With u = cos 2v (cosh 2V in the dual form) and c, s the cosine and sine of v (V), s2 = 2 s c, coefficients of u**0 ... u**3:
    !> an odd function is c*cosine(u) + i s*sine(u), an even one cosine(u) + i s2*sine(u).
    type :: wave_type
@@ -30,6 +41,7 @@ module kyvadlo_batch_constants
    !> Constants of one orbit, but for its start.
    type :: batch_type
       integer :: form = form_scalar
+      integer :: grade = grade_full
       real(real64) :: per_half = 0       !! 2/T
       real(real64) :: half(3) = 0        !! T/2 in three parts
       real(real64) :: advance(3) = 0     !! lambda T/pi, or A T/pi, in three parts: quarter turns in half a period

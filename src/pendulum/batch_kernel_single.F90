@@ -2,5 +2,6 @@
 module kyvadlo_batch_kernel_single
    use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
 #define single_point
+#define kernel_grade 0
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_single

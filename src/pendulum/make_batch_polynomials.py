@@ -6,20 +6,27 @@
 
 Printed beside each table: the largest error with the coefficients rounded to real64, relative for the sines, absolute for the cosines.
 """
+import struct
+
 import mpmath as mp
 
 mp.mp.dps = 60
 SLACK = mp.mpf("1.0001")  # the reduced argument may pass its bound by a rounding
 
 
-def fit(function, top, degree, relative):
+def rounded_to(kind, number):
+    """The nearest number of the kind, as a float."""
+    return float(number) if kind == "real64" else struct.unpack("f", struct.pack("f", float(number)))[0]
+
+
+def fit(function, top, degree, relative, kind):
     """Coefficients in z = x**2 on [0, top**2], lowest first; the leading one of the cosines is kept at 1."""
     right = (top * SLACK) ** 2
     if relative:
         polynomial = mp.chebyfit(function, [0, right], degree + 1)[::-1]
     else:
         polynomial = [mp.mpf(1)] + mp.chebyfit(lambda z: (function(z) - 1) / z, [0, right], degree)[::-1]
-    rounded = [float(c) for c in polynomial]
+    rounded = [rounded_to(kind, c) for c in polynomial]
     worst = 0
     for i in range(1, 2000):
         z = right * i / 2000
@@ -35,20 +42,41 @@ def ratio(function, scale):
     return quotient
 
 
-TABLES = [
-    ("sine_terms", "sin(pi f/2)/f", ratio(mp.sin, mp.pi / 2), mp.mpf(1) / 2, 6, True),
-    ("cosine_terms", "cos(pi f/2)", lambda z: mp.cos(mp.pi / 2 * mp.sqrt(abs(z))), mp.mpf(1) / 2, 7, False),
-    ("hyperbolic_sine_terms", "sinh(r)/r", ratio(mp.sinh, mp.mpf(1)), mp.log(2) / 2, 5, True),
-    ("logarithm_terms", "atanh(s)/s", ratio(mp.atanh, mp.mpf(1)), (mp.sqrt(2) - 1) / (mp.sqrt(2) + 1), 7, True),
-    ("mean_terms", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))), mp.mpf(1) / 10, 6, False),
-    ("hyperbolic_cosine_terms", "cosh(r)", lambda z: mp.cosh(mp.sqrt(abs(z))), mp.log(2) / 2, 5, False),
+# The file of a grade: its kind, the degrees in the square of sine, cosine, sinh, cosh, and of the series of the period.
+GRADES = [
+    ("batch_polynomials.inc", "real64", (6, 7, 5, 5), (7, 6)),
+    ("batch_polynomials_1.inc", "real32", (2, 2, 2, 2), None),
+    ("batch_polynomials_2.inc", "real32", (3, 4, 2, 3), None),
+    ("batch_polynomials_3.inc", "real64", (4, 5, 3, 4), None),
+    ("batch_polynomials_4.inc", "real64", (5, 6, 4, 4), None),
 ]
 
-with open("batch_polynomials.inc", "w") as out:
-    out.write("   ! Written by make_batch_polynomials.py.\n")
-    for name, text, function, top, degree, relative in TABLES:
-        terms, worst = fit(function, top, degree, relative)
-        out.write(f"   !> {text} in powers of the square; largest {'relative' if relative else 'absolute'} error "
-                  f"{mp.nstr(worst, 2)}.\n")
-        out.write(f"   real(real64), parameter :: {name}(0:{degree}) = [ &\n")
-        out.write(", &\n".join(f"      {c!r}_real64" for c in terms) + "]\n")
+
+def series(degrees, period_degrees):
+    """Name, text, function of the square, largest argument, degree, whether relative, the first term written."""
+    half, root = mp.mpf(1) / 2, mp.log(2) / 2
+    yield "sine_series", "sin(pi f/2)/f", ratio(mp.sin, mp.pi / 2), half, degrees[0], True, 0
+    yield "cosine_series", "cos(pi f/2)", lambda z: mp.cos(mp.pi / 2 * mp.sqrt(abs(z))), half, degrees[1], False, 0
+    yield "hyperbolic_sine_rest", "sinh(r)/r", ratio(mp.sinh, mp.mpf(1)), root, degrees[2], True, 1
+    if period_degrees:
+        yield ("logarithm_rest", "atanh(s)/s", ratio(mp.atanh, mp.mpf(1)), (mp.sqrt(2) - 1) / (mp.sqrt(2) + 1),
+               period_degrees[0], True, 1)
+        yield ("mean_series", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))), mp.mpf(1) / 10,
+               period_degrees[1], False, 0)
+    yield "hyperbolic_cosine_series", "cosh(r)", lambda z: mp.cosh(mp.sqrt(abs(z))), root, degrees[3], False, 0
+
+
+for file, kind, degrees, period_degrees in GRADES:
+    with open(file, "w") as out:
+        out.write("   ! Written by make_batch_polynomials.py.\n")
+        for name, text, function, top, degree, relative, first in series(degrees, period_degrees):
+            terms, worst = fit(function, top, degree, relative, kind)
+            error = f"largest {'relative' if relative else 'absolute'} error {mp.nstr(worst, 2)}"
+            what = f"({text} - 1)/z" if first else text
+            out.write(f"\n   !> {what} in powers of the square z; {error}{' of ' + text if first else ''}.\n")
+            out.write(f"   pure real({kind}) function {name}(z) result(total)\n")
+            out.write(f"      real({kind}), intent(in) :: z\n\n")
+            out.write(f"      total = {terms[degree]!r}_{kind}\n")
+            for term in terms[degree - 1:first - 1 if first else None:-1]:
+                out.write(f"      total = {term!r}_{kind} + z*total\n")
+            out.write(f"   end function {name}\n")

@@ -1,5 +1,7 @@
 !> The words of a scene: which starts there are and which names give them.
 module kyvadlo_scene_names
+   use kyvadlo_start, only: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
+      start_energy_above_bottom, start_release, start_state
    implicit none
    private
    public :: start_type, starts, pendulum_names
@@ -12,10 +14,7 @@ module kyvadlo_scene_names
       integer :: values = 1              !! Values of each name: 1, or 3 for vectors
    end type start_type
 
-   !> Places in `starts`.
-   integer, parameter :: start_heights = 1, start_gaps = 2, start_rises = 3, start_energy = 4, &
-      start_energy_above_top = 5, start_energy_above_bottom = 6, start_release = 7, start_state = 8
-
+   !> By the numbers `start_*` of the core.
    type(start_type), parameter :: starts(8) = [ &
       start_type('z_upper', 'z_lower', 1), &
       start_type('top_gap', 'bottom_gap', 1), &

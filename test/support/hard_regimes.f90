@@ -1,6 +1,8 @@
 !> Random starts of every regime of the pendulum, and what is promised there.
 module hard_regimes
    use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_start_kinds, only: start_heights, start_gaps, start_rises, start_energy, start_above_top => start_energy_above_top, &
+      start_state
    use random_numbers, only: stream_type, uniform, decades
    implicit none
    private
@@ -8,8 +10,6 @@ module hard_regimes
    public :: measures, of_constants, of_rate, of_position, of_velocity, of_late_position, of_late_velocity, of_azimuth, &
       of_own_size, of_laws, promises, promises_of
    public :: start_heights, start_gaps, start_rises, start_energy, start_above_top, start_state
-
-   integer, parameter :: start_heights = 1, start_gaps = 2, start_rises = 3, start_energy = 4, start_above_top = 5, start_state = 6
 
    type :: start_type
       integer :: way = start_heights

@@ -1,0 +1,478 @@
+!> An orbit to a stated accuracy: the kind and the number of terms that reach it at the least cost.
+!>
+!> The promise, for the exact values of the start and of the time: the position is off by at most `accuracy` l while
+!> |time| <= `span`, the period by at most `accuracy` T, velocities by at most 2 `accuracy` max(v_max, sqrt(g l)).
+!> What is chosen from, by rising cost of a place at many times (doc/accuracy_knob.md has the figures):
+!>
+!>     grade 1      real32 vectors, harmonics 0 and 1 of the theta series, short sines
+!>     grade 2      real32 vectors, harmonics 0 to 2
+!>     grade 3      real64 vectors, harmonics 0 to 2, shorter sines
+!>     grade 4      real64 vectors, harmonics 0 to 3, shorter sines
+!>     grade_full   real64 vectors as in `locate_batch` without an accuracy
+!>     real128      the scalar form
+!>
+!> Grades 1 to 4 reduce the time by the period in plain real64, which limits the span.
+module kyvadlo_accuracy
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use kyvadlo_batch, only: locate_batch
+   use kyvadlo_batch_constants
+   use kyvadlo_motion, only: height_period
+   use kyvadlo_motion_kinds, only: motion_none
+   use kyvadlo_orbit_real64, only: harmonics_type, new_orbit_from_gaps, orbit_type, set_up_kernel
+   use kyvadlo_orbit_real128, only: orbit_type_real128
+   use kyvadlo_start, only: new_orbit
+   use kyvadlo_status, only: code_domain, error_type, fail
+   use kyvadlo_two_part, only: operator(+), value
+   implicit none
+   private
+   public :: accurate_orbit_type, new_orbit_to_accuracy, locate_batch, height_period
+   public :: finest_double, finest_quad, coarsest_accuracy, choice_text
+
+   !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are promised.
+   real(real64), parameter :: finest_double = 16*epsilon(1.0_real64)
+   !> The same of real128, whose series and pairs are the same to its own epsilon; with four times the room.
+   real(real64), parameter :: finest_quad = real(64*epsilon(1.0_real128), real64)
+   !> A coarser wish is taken for a mistake: 3 for 1e-3.
+   real(real64), parameter :: coarsest_accuracy = 0.1_real64
+   !> What real32 adds by rounding once the phase is reduced, in l.
+   real(real64), parameter :: narrow_rounding = 6*real(epsilon(1.0_real32), real64)
+   !> V up to 20: exp(4 V) and its inverse are in the range of real32.
+   real(real64), parameter :: most_stretch = 40
+   real(real64), parameter :: half_pi = acos(-1.0_real64)/2
+   !> Points computed at a time where they must be copied.
+   integer, parameter :: strip = 2**16
+
+   !> An orbit and how to evaluate it. Read-only after set-up; any thread may use it.
+   type :: accurate_orbit_type
+      type(orbit_type) :: orbit                            !! In double precision, for all but the places: its kernel is the chosen one
+      type(orbit_type_real128), allocatable :: wide        !! Allocated if only real128 keeps the accuracy
+      real(real64) :: accuracy = 0                         !! As asked for
+      real(real64) :: span = 0                             !! As asked for [s]
+      real(real64) :: bound = 0                            !! Bound of the position error by the error model, in l
+   end type accurate_orbit_type
+
+   interface new_orbit_to_accuracy
+      module procedure to_accuracy_from_start, to_accuracy_from_orbit
+   end interface new_orbit_to_accuracy
+
+   interface locate_batch
+      module procedure locate_to_accuracy, locate_to_accuracy_real128
+   end interface locate_batch
+
+   interface height_period
+      module procedure period_to_accuracy
+   end interface height_period
+
+contains
+
+   !> Orbit of any start (`start_heights` and so on, see kyvadlo_start) that keeps an accuracy. The numbers of the start count as
+   !> they are, in binary. Needs finest_quad <= accuracy <= coarsest_accuracy, span >= 0, and times that the kind can still
+   !> tell apart.
+   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error)
+      type(accurate_orbit_type), intent(out) :: plan
+      integer, intent(in) :: start                       !! One of the `start_*` constants
+      real(real64), intent(in) :: length, gravity        !! l [m], g [m/s2]
+      real(real64), intent(in) :: first(:), second(:)    !! What the start takes: (3) of a state, else (1)
+      real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
+      real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
+      type(error_type), allocatable, intent(out) :: error
+      type(orbit_type) :: orbit
+      logical :: is_kept
+
+      call new_orbit(orbit, start, length, gravity, first, second, error)
+      if (.not. allocated(error)) call begin(plan, orbit, accuracy, span, error)
+      if (.not. allocated(error)) then
+         call choose(plan, is_kept)
+         if (is_kept) return
+         allocate (plan%wide)
+         call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128), real(first, real128), &
+            real(second, real128), error)
+         if (.not. allocated(error)) call check_wide(plan, error)
+      end if
+      if (allocated(error)) call spoil(plan)
+   end subroutine to_accuracy_from_start
+
+   !> The same from an orbit in double precision, for an accuracy that double precision keeps.
+   pure subroutine to_accuracy_from_orbit(plan, orbit, accuracy, span, error)
+      type(accurate_orbit_type), intent(out) :: plan
+      type(orbit_type), intent(in) :: orbit              !! As set up: any kernel it had is chosen anew
+      real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
+      real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_kept
+
+      call begin(plan, orbit, accuracy, span, error)
+      if (.not. allocated(error)) then
+         call choose(plan, is_kept)
+         if (is_kept) return
+         call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &
+            text(finest_double)//' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//text(accuracy)// &
+            ' and '//text(half_periods(plan))//' half periods')
+      end if
+      call spoil(plan)
+   end subroutine to_accuracy_from_orbit
+
+   !> Checks what is asked for and takes it down.
+   pure subroutine begin(plan, orbit, accuracy, span, error)
+      type(accurate_orbit_type), intent(inout) :: plan
+      type(orbit_type), intent(in) :: orbit
+      real(real64), intent(in) :: accuracy, span
+      type(error_type), allocatable, intent(out) :: error
+
+      plan%orbit = orbit
+      plan%accuracy = accuracy
+      plan%span = span
+      if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need '//text(finest_quad)//' <= accuracy <= '// &
+            text(coarsest_accuracy)//', got '//text(accuracy))
+      else if (.not. plan%span >= 0) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need span >= 0, got '//text(plan%span))
+      end if
+   end subroutine begin
+
+   !> The cheapest way of double precision that keeps the accuracy by the error model.
+   pure subroutine choose(plan, is_kept)
+      type(accurate_orbit_type), intent(inout) :: plan
+      logical, intent(out) :: is_kept
+      real(real64) :: bounds(0:most_grade)
+      integer :: grade
+
+      plan%orbit%kernel%grade = grade_full
+      call error_model(plan, bounds)
+      do grade = 1, most_grade
+         if (.not. bounds(grade) <= plan%accuracy) cycle
+         plan%bound = bounds(grade)
+         is_kept = .true.
+         if (grade_harmonics(grade) < grade_harmonics(grade_full)) call drop_harmonics(plan%orbit, grade_harmonics(grade))
+         plan%orbit%kernel%grade = grade
+         if (grade_is_narrow(grade)) call clear_smallest(plan%orbit%kernel)
+         return
+      end do
+      plan%bound = bounds(grade_full)
+      ! Half periods are counted in whole numbers.
+      is_kept = plan%bound <= plan%accuracy .and. half_periods(plan) <= 2/epsilon(1.0_real64)
+   end subroutine choose
+
+   !> The kernel without the harmonics above `highest`; the rest of the orbit keeps them.
+   pure subroutine drop_harmonics(orbit, highest)
+      type(orbit_type), intent(inout) :: orbit
+      integer, intent(in) :: highest
+      type(orbit_type) :: short
+
+      short = orbit
+      call drop(short%bottom)
+      call drop(short%top)
+      call set_up_kernel(short)
+      orbit%kernel = short%kernel
+
+   contains
+
+      pure subroutine drop(series)
+         type(harmonics_type), intent(inout) :: series
+
+         series%p_cos(highest + 1:) = 0
+         series%p_sin(highest + 1:) = 0
+         series%f_cos(highest + 1:) = 0
+         series%f_sin(highest + 1:) = 0
+      end subroutine drop
+   end subroutine drop_harmonics
+
+   !> Half periods in the span; 0 where there is no period.
+   pure real(real64) function half_periods(plan)
+      type(accurate_orbit_type), intent(in) :: plan
+
+      half_periods = 0
+      if (height_period(plan%orbit) <= huge(plan%span)) half_periods = 2*(plan%span/height_period(plan%orbit))
+   end function half_periods
+
+   !> Bounds of the position error in l, grade by grade; huge where a grade does not apply.
+   !>
+   !> With P and F of [S5.1] the position is 2 l P F/(|P|**2 + |F|**2) and l (|P|**2 - |F|**2)/(the same): an error d of (P, F)
+   !> moves it by at most 2 l |d|/|(P, F)|, and |P|**2 + |F|**2 = 2 l D**2. So what counts is the error of P and F beside
+   !> sqrt(2 l) D, where D >= 1 - 2 q in the nome q, D >= cosh V at the bottom and D >= 1 at the top in the complementary nome.
+   pure subroutine error_model(plan, bounds)
+      type(accurate_orbit_type), intent(in) :: plan
+      real(real64), intent(out) :: bounds(0:most_grade)
+      real(real64) :: left_out(0:3), sensitivity, error, rounding, reduction, travel, halves
+      integer :: grade
+
+      bounds = huge(bounds)
+      bounds(grade_full) = finest_double
+      associate (b => plan%orbit%kernel)
+         if (b%form == form_scalar) return
+         halves = half_periods(plan) + abs(plan%orbit%start_phase%high)*b%per_half
+         if (.not. halves <= most_halves - 1) return
+         call weigh(plan%orbit, left_out, sensitivity)
+         ! What a half period moves the bob at most, in l. In half periods the reduced phase is off by half an eps of the count
+         ! for each of: 2/T, the product, the sum, the start's product. The angle of the frame, in quarter turns, by as much for
+         ! each of: the advance, the product, the sum.
+         travel = greatest_speed(plan%orbit)*(height_period(plan%orbit)/2)/plan%orbit%length
+         reduction = halves*epsilon(1.0_real64)*(2*travel + 1.5_real64*half_pi*abs(sum(b%advance)))
+         do grade = 1, most_grade
+            if (grade_is_narrow(grade) .and. b%stretch > most_stretch) cycle
+            error = merge(grade_cosh_error(grade), grade_sine_error(grade), b%form == form_dual)
+            rounding = merge(narrow_rounding, finest_double, grade_is_narrow(grade))
+            ! The sines of the frame add sqrt(2) of their error.
+            bounds(grade) = rounding + reduction + left_out(grade_harmonics(grade)) + sensitivity*error &
+               + sqrt(2.0_real64)*grade_sine_error(grade)
+         end do
+      end associate
+   end subroutine error_model
+
+   !> What harmonics above n are worth, and what a unit error of sine and cosine (relative, of the hyperbolic ones) does: both as
+   !> position errors in l.
+   pure subroutine weigh(orbit, left_out, sensitivity)
+      type(orbit_type), intent(in) :: orbit
+      real(real64), intent(out) :: left_out(0:3), sensitivity
+      real(real64) :: scaling, farthest, power, step, least
+      integer :: n
+
+      associate (b => orbit%kernel, low => orbit%bottom, high => orbit%top)
+         least = 1
+         if (b%form /= form_dual) least = 1 - 2*orbit%series_nome
+         scaling = 2/(sqrt(2*value(orbit%gaps%length))*least)
+         left_out = 0
+         farthest = b%stretch/2   ! V half a half period from the passage
+         do n = 3, 1, -1
+            left_out(n - 1) = left_out(n)
+            if (n > low%highest) cycle
+            if (b%form == form_dual) then
+               power = exp(2*n*farthest)
+               step = exp(farthest)
+               left_out(n - 1) = left_out(n) + scaling*max( &
+                  power*largest(low%p_cos(n), low%p_sin(n)) + power/step*largest(low%f_cos(n), low%f_sin(n)), &
+                  power*step*largest(high%f_cos(n), high%f_sin(n)) + power*largest(high%p_cos(n), high%p_sin(n)))
+            else
+               left_out(n - 1) = left_out(n) &
+                  + scaling*(largest(low%p_cos(n), low%p_sin(n)) + largest(low%f_cos(n), low%f_sin(n)))
+            end if
+         end do
+         if (b%form == form_dual) then
+            sensitivity = max(hyperbolic_odd(b%odd(1)), cosh(min(farthest, log(huge(farthest))/2))*hyperbolic_odd(b%odd(0))) &
+               + max(hyperbolic_even(b%even(1)), hyperbolic_even(b%even(0)))
+         else
+            sensitivity = trigonometric_odd(b%odd(1))
+            if (b%form == form_direct_odd) then
+               sensitivity = sensitivity + trigonometric_odd(b%even(1))
+            else
+               sensitivity = sensitivity + trigonometric_even(b%even(1))
+            end if
+         end if
+         sensitivity = scaling*sensitivity
+      end associate
+
+   contains
+
+      !> Bound of a cos x + i b sin x, hyperbolic ones relative to cosh.
+      pure real(real64) function largest(a, b)
+         real(real64), intent(in) :: a, b
+
+         largest = sqrt(a**2 + b**2)
+      end function largest
+
+      !> c (sum of a u**n) + i s (sum of b u**n) with errors e of c, s and of sine in u = 1 - 2 sine**2, |sine| <= sqrt(1/2): u is
+      !> off by 2 sqrt(2) e.
+      pure real(real64) function trigonometric_odd(wave)
+         type(wave_type), intent(in) :: wave
+         real(real64), parameter :: weights(0:3) = 1 + sqrt(8.0_real64)*[0, 1, 2, 3]
+
+         trigonometric_odd = sum(weights*(abs(wave%cosine) + abs(wave%sine)))
+      end function trigonometric_odd
+
+      !> (sum of a u**n) + i s2 (sum of b u**n), s2 = 2 c s off by 2 sqrt(2) e.
+      pure real(real64) function trigonometric_even(wave)
+         type(wave_type), intent(in) :: wave
+         real(real64), parameter :: weights(0:3) = sqrt(8.0_real64)*[0, 1, 2, 3]
+
+         trigonometric_even = sum(weights*(abs(wave%cosine) + abs(wave%sine))) + sqrt(8.0_real64)*sum(abs(wave%sine))
+      end function trigonometric_even
+
+      !> Relative to cosh V. Errors e relative to cosh of the reduced argument make 3 e relative to cosh V (the sum of the
+      !> exponents' cosh and sinh is at most twice the former, and cosh(n ln 2 + r) at least 2/3 of the product), 6 e
+      !> relative to u = cosh 2V.
+      pure real(real64) function hyperbolic_odd(wave)
+         type(wave_type), intent(in) :: wave
+
+         hyperbolic_odd = grown(wave%cosine, 3, 0) + grown(wave%sine, 3, 0)
+      end function hyperbolic_odd
+
+      !> s2 = 2 c s <= u is off by 12 e u.
+      pure real(real64) function hyperbolic_even(wave)
+         type(wave_type), intent(in) :: wave
+
+         hyperbolic_even = grown(wave%cosine, 0, 0) + grown(wave%sine, 12, 1)
+      end function hyperbolic_even
+
+      !> Sum of (first + 6 n) |a(n)| u**(n+power) for the largest u. What is 0 may stand beside an overflow.
+      pure real(real64) function grown(a, first, power)
+         real(real64), intent(in) :: a(0:3)
+         integer, intent(in) :: first, power
+         integer :: k
+
+         grown = 0
+         do k = 0, 3
+            if (abs(a(k)) > 0 .and. first + 6*k > 0) grown = grown + (first + 6*k)*abs(a(k))*cosh(2*farthest)**(k + power)
+         end do
+      end function grown
+   end subroutine weigh
+
+   !> The speed at the lowest point, v**2 = 2 (c1 - g z2) = 2 g (z1 + z3) [m/s].
+   pure real(real64) function greatest_speed(orbit)
+      type(orbit_type), intent(in) :: orbit
+
+      associate (gaps => orbit%gaps)
+         greatest_speed = scale(sqrt(2*value(gaps%gravity)*value(gaps%upper_rise + gaps%outer_excess)), &
+            gaps%length_power + gaps%gravity_power)
+      end associate
+   end function greatest_speed
+
+   !> Numbers that real32 would flush, or whose squares it would, are nothing beside the accuracy; in hyperbolic sums they grow, and
+   !> only what real32 cannot hold goes.
+   pure subroutine clear_smallest(kernel)
+      type(batch_type), intent(inout) :: kernel
+      real(real64) :: least
+      integer :: i
+
+      least = real(tiny(1.0_real32), real64)
+      if (kernel%form /= form_dual) least = 2*sqrt(least)
+      do i = 0, 1
+         call clear(kernel%odd(i))
+         call clear(kernel%even(i))
+      end do
+
+   contains
+
+      pure subroutine clear(wave)
+         type(wave_type), intent(inout) :: wave
+
+         where (abs(wave%cosine) < least) wave%cosine = 0
+         where (abs(wave%sine) < least) wave%sine = 0
+         where (abs(wave%cosine_slope) < least) wave%cosine_slope = 0
+         where (abs(wave%sine_slope) < least) wave%sine_slope = 0
+      end subroutine clear
+   end subroutine clear_smallest
+
+   !> Whether real128 keeps it: what the start allows, and times that can still be told apart.
+   pure subroutine check_wide(plan, error)
+      type(accurate_orbit_type), intent(inout) :: plan
+      type(error_type), allocatable, intent(out) :: error
+
+      plan%bound = finest_quad
+      if (half_periods(plan) <= real(2/epsilon(1.0_real128), real64)) return
+      call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**113 half periods, got '// &
+         text(half_periods(plan)))
+   end subroutine check_wide
+
+   !> NaN everywhere: nothing computed from a failed set-up can pass for a number.
+   pure subroutine spoil(plan)
+      type(accurate_orbit_type), intent(inout) :: plan
+      type(error_type), allocatable :: ignored
+
+      if (allocated(plan%wide)) deallocate (plan%wide)
+      call new_orbit_from_gaps(plan%orbit, -1.0_real64, -1.0_real64, -1.0_real64, -1.0_real64, ignored)
+      plan%bound = ieee_value(plan%bound, ieee_quiet_nan)
+   end subroutine spoil
+
+   !> What was chosen, for people: 'real32 vectors, harmonics 0 to 2'.
+   pure function choice_text(plan) result(words)
+      type(accurate_orbit_type), intent(in) :: plan
+      character(len=:), allocatable :: words
+
+      associate (b => plan%orbit%kernel)
+         if (allocated(plan%wide)) then
+            words = 'real128'
+         else if (plan%orbit%motion == motion_none) then
+            words = 'none'
+         else if (b%form == form_scalar) then
+            words = 'real64, point by point'
+         else
+            words = merge('real32', 'real64', grade_is_narrow(b%grade))//' vectors, harmonics 0 to '// &
+               achar(iachar('0') + grade_harmonics(b%grade))
+         end if
+      end associate
+   end function choice_text
+
+   !> A number in a message.
+   pure function text(number)
+      real(real64), intent(in) :: number
+      character(len=:), allocatable :: text
+      character(len=12) :: buffer
+
+      if (abs(number) > 0 .and. (abs(number) < 1e-98_real64 .or. abs(number) > 1e98_real64)) then
+         write (buffer, '(es12.2e3)') number
+      else
+         write (buffer, '(es12.2e2)') number
+      end if
+      text = trim(adjustl(buffer))
+   end function text
+
+   !> Places (and velocities) at many times to the accuracy of the set-up: as `locate_batch` of an orbit. Rounding to real64 may
+   !> add half a last digit of a coordinate where the accuracy is finer than that.
+   subroutine locate_to_accuracy(plan, time, x, y, z, vx, vy, vz, highest_level)
+      type(accurate_orbit_type), intent(in) :: plan
+      real(real64), intent(in) :: time(:)                             !! [s] (n)
+      real(real64), intent(out), dimension(:) :: x, y, z              !! [m] (n)
+      real(real64), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
+      integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
+      real(real128), allocatable :: placed(:, :)
+      integer :: first, last
+
+      if (.not. allocated(plan%wide)) then
+         call locate_batch(plan%orbit, time, x, y, z, vx, vy, vz, highest_level)
+         return
+      end if
+      allocate (placed(min(size(time), strip), merge(6, 3, present(vx))))
+      do first = 1, size(time), strip
+         last = min(size(time), first + strip - 1)
+         associate (n => last - first + 1)
+            if (present(vx)) then
+               call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
+                  placed(:n, 4), placed(:n, 5), placed(:n, 6))
+               vx(first:last) = real(placed(:n, 4), real64)
+               vy(first:last) = real(placed(:n, 5), real64)
+               vz(first:last) = real(placed(:n, 6), real64)
+            else
+               call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3))
+            end if
+            x(first:last) = real(placed(:n, 1), real64)
+            y(first:last) = real(placed(:n, 2), real64)
+            z(first:last) = real(placed(:n, 3), real64)
+         end associate
+      end do
+   end subroutine locate_to_accuracy
+
+   !> The same without rounding to real64. The times are real64: their exact values count.
+   subroutine locate_to_accuracy_real128(plan, time, x, y, z, vx, vy, vz)
+      type(accurate_orbit_type), intent(in) :: plan
+      real(real64), intent(in) :: time(:)                              !! [s] (n)
+      real(real128), intent(out), dimension(:) :: x, y, z              !! [m] (n)
+      real(real128), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
+      real(real64), allocatable :: placed(:, :)
+
+      if (allocated(plan%wide)) then
+         call locate_batch(plan%wide, real(time, real128), x, y, z, vx, vy, vz)
+         return
+      end if
+      allocate (placed(size(time), merge(6, 3, present(vx))))
+      if (present(vx)) then
+         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), placed(:, 4), placed(:, 5), placed(:, 6))
+         vx = placed(:, 4)
+         vy = placed(:, 5)
+         vz = placed(:, 6)
+      else
+         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3))
+      end if
+      x = placed(:, 1)
+      y = placed(:, 2)
+      z = placed(:, 3)
+   end subroutine locate_to_accuracy_real128
+
+   !> T, (16) [s], rounded to real64: of real128 accuracy in `plan%wide`.
+   elemental real(real64) function period_to_accuracy(plan) result(period)
+      type(accurate_orbit_type), intent(in) :: plan
+
+      period = height_period(plan%orbit)
+   end function period_to_accuracy
+
+end module kyvadlo_accuracy
