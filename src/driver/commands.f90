@@ -50,6 +50,11 @@ module kyvadlo_commands
       option_type('simulate', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
       option_type('simulate', '--events', 'FILE', &
          'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
+      option_type('simulate', '--explain', '', &
+         'first say which path was chosen, why, and what it will cost (standard error)'), &
+      option_type('simulate', '--accuracy', 'A', 'of an integrated scene: error of a step (default 1e-12)'), &
+      option_type('simulate', '--check', '', &
+         'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('bench', '--functions', '', 'the elliptic functions'), &

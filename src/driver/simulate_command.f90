@@ -1,12 +1,16 @@
 !> The command `simulate`: one scene, its samples as CSV.
 module kyvadlo_simulate_command
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
+   use kyvadlo_explain_scene, only: explain_scene
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: read_simulation, simulation_type
-   use kyvadlo_simulation_path, only: choose_path, path_type
-   use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
+   use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
+   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type
    use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_text, only: shown
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
    implicit none
    private
@@ -20,24 +24,39 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(simulation_type) :: simulation
       type(path_type) :: path
+      real(wp), allocatable :: accuracy
 
       if (size(arguments%operands) /= 1) then
          call fail(error, code_input, 'simulate needs one scene file, or - for standard input')
          return
       end if
-      call read_simulation(arguments%operands(1)%text, simulation, error)
-      if (.not. allocated(error)) call choose_path(simulation, path, error)
-      if (.not. allocated(error)) call check_options(arguments, error)
+      call check_options(arguments, accuracy, error)
+      if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
+      if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy)
+      if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command
 
    !> What can be said of the options before anything is written.
-   subroutine check_options(arguments, error)
+   subroutine check_options(arguments, accuracy, error)
       type(arguments_type), intent(in) :: arguments
+      real(wp), allocatable, intent(out) :: accuracy          !! Not allocated: none asked for
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: files(2) = [character(len=8) :: '--output', '--events']
+      character(len=:), allocatable :: what, text
       integer :: i
 
+      if (option_given(arguments, '--accuracy')) then
+         allocate (accuracy)
+         text = option_value(arguments, '--accuracy', '')
+         call read_number(text, accuracy, what)
+         if (.not. allocated(what) .and. .not. (accuracy >= 1e-15_wp .and. accuracy <= 0.1_wp)) what = 'out of range'
+         if (allocated(what)) then
+            call fail(error, code_input, "option --accuracy must be a number, 1e-15 to 0.1, got '"//shown(text)//"' (" &
+               //what//')')
+            return
+         end if
+      end if
       do i = 1, size(files)
          if (option_given(arguments, trim(files(i))) .and. option_value(arguments, trim(files(i)), '') == '') then
             call fail(error, code_input, 'option '//trim(files(i))//' needs the name of a file')
@@ -57,6 +76,7 @@ contains
       type(output_type), target :: output, events
       type(csv_samples_type), target :: samples
       type(watched_samples_type) :: watch
+      type(check_type), allocatable :: check
       logical :: has_events
 
       has_events = option_given(arguments, '--events')
@@ -73,19 +93,36 @@ contains
          samples = new_csv_samples(output)
       end if
       watch = new_watch(samples, output, simulation%settings%samples)
-      call simulate(simulation, path, watch, error)
+      if (option_given(arguments, '--check')) allocate (check)
+      call simulate(simulation, path, watch, error, check)
       call stop_watch(watch)
       if (.not. allocated(error)) then
          call close_output(output, error)
       else
          call discard_output(output)
       end if
-      if (.not. has_events) return
-      if (.not. allocated(error)) then
-         call close_output(events, error)
-      else
-         call discard_output(events)
+      if (has_events) then
+         if (.not. allocated(error)) then
+            call close_output(events, error)
+         else
+            call discard_output(events)
+         end if
       end if
+      if (allocated(check) .and. .not. allocated(error)) call report_check(path, check)
    end subroutine run
+
+   !> What the second run said, on standard error.
+   subroutine report_check(path, check)
+      type(path_type), intent(in) :: path
+      type(check_type), intent(in) :: check
+
+      if (path%path == path_integrated) then
+         call message('check: at a tenth of the accuracy, '//digits_text(path%tolerance/10, 2)//', places differ by ' &
+            //digits_text(check%position, 3)//' m at most (t = '//digits_text(check%position_time, 4)//' s), velocities by ' &
+            //digits_text(check%velocity, 3)//' m/s (t = '//digits_text(check%velocity_time, 4)//' s)')
+      else
+         call message('check: nothing was integrated: '//path%method)
+      end if
+   end subroutine report_check
 
 end module kyvadlo_simulate_command

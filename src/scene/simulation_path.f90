@@ -2,16 +2,19 @@
 module kyvadlo_simulation_path
    use kyvadlo
    use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
+   use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: code_unsupported, error_type, fail
+   use kyvadlo_version, only: with_gsl
    implicit none
    private
-   public :: path_type, choose_path, asks_for_integration
+   public :: path_type, check_type, choose_path
    public :: path_constant, path_closed_form, path_string, path_integrated
 
    integer, parameter :: path_constant = 1      !! At rest: every sample is the start
@@ -22,14 +25,28 @@ module kyvadlo_simulation_path
    !> What the samples are computed from.
    type :: path_type
       integer :: path = 0                       !! One of the `path_*` constants
+      real(wp) :: length = 0, gravity = 0       !! Of the pendulum [m], [m/s2]
+      type(effects_type) :: effects
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
       type(string_motion_type) :: string        !! Of `path_string`
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: duration = 0                  !! [s]
+      real(wp) :: tolerance = 0                 !! Of a step of `path_integrated`
       character(len=:), allocatable :: method   !! In words
       character(len=:), allocatable :: reason   !! In words
    end type path_type
 
+   !> The largest differences between an integrated scene and the same at a tenth of the tolerance.
+   type :: check_type
+      real(wp) :: position = 0, position_time = 0      !! [m], and when [s]
+      real(wp) :: velocity = 0, velocity_time = 0      !! [m/s], and when [s]
+   end type check_type
+
+   !> Groups without a closed form, unless all their coefficients are zero.
+   integer, parameter :: integrated(6) = [air_group, wind_group, earth_rotation_group, moving_pivot_group, elastic_group, &
+      anisotropic_support_group]
+   !> Without an accuracy asked for: some ten steps a swing, and 1e-10 of the length after a hundred of them.
+   real(wp), parameter :: default_tolerance = 1e-12_wp
    real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
@@ -38,23 +55,35 @@ contains
    !>
    !> Errors: a start that determines no orbit; effects in a build without an integrator; a string with more events than
    !> `new_string_motion` follows.
-   pure subroutine choose_path(simulation, path, error)
+   subroutine choose_path(simulation, path, error, tolerance)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(out) :: path
       type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in), optional :: tolerance      !! Of a step of the integrator (default 1e-12)
       type(pendulum_type) :: pendulum
       real(wp) :: position(3), velocity(3)
 
       associate (settings => simulation%settings)
          pendulum = simulation%pendulum
          pendulum%gravity = effective_gravity(pendulum%gravity, settings%density_ratio, settings%added_mass)
+         path%length = pendulum%length
+         path%gravity = simulation%pendulum%gravity
+         path%tolerance = default_tolerance
+         if (present(tolerance)) path%tolerance = tolerance
          path%inertia = effective_inertia(settings%density_ratio, settings%added_mass)
          call pendulum_orbit(pendulum, path%orbit, error)
          if (allocated(error)) return
          path%duration = settings%duration
          if (.not. path%duration > 0) path%duration = default_duration(path%orbit)
 
-         if (asks_for_integration(simulation)) then
+         call effects_of(simulation, path%effects, error)
+         if (allocated(error)) return
+         if (any_effect(path%effects)) then
+            if (.not. with_gsl) then
+               call fail(error, code_unsupported, place_of(settings%file, maxval(settings%line(integrated))) &
+                  //'this build has no integrator (CMake option KYVADLO_WITH_GSL) for '//integrated_groups(simulation))
+               return
+            end if
             path%path = path_integrated
             path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
             path%reason = integrated_groups(simulation)//': no closed form'
@@ -77,24 +106,16 @@ contains
             path%path = path_closed_form
             path%method = closed_form_words(path%orbit)
             path%reason = 'no effect without a closed form is asked for'
+            if (integrated_groups(simulation) /= '') path%reason = integrated_groups(simulation)//': all coefficients are zero'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
          end if
       end associate
    end subroutine choose_path
 
-   !> Whether a group without a closed form stands in the scene.
-   pure logical function asks_for_integration(simulation)
-      type(simulation_type), intent(in) :: simulation
-
-      asks_for_integration = integrated_groups(simulation) /= ''
-   end function asks_for_integration
-
-   !> Those groups, in words.
+   !> The groups without a closed form, in words.
    pure function integrated_groups(simulation) result(words)
       type(simulation_type), intent(in) :: simulation
       character(len=:), allocatable :: words
-      integer, parameter :: integrated(6) = [air_group, wind_group, earth_rotation_group, moving_pivot_group, &
-         elastic_group, anisotropic_support_group]
       integer :: i
 
       words = ''

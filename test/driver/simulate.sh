@@ -83,19 +83,142 @@ cmp -s one four || complain 'the number of threads must not matter'
 checks=$((checks + 1))
 [ "$(wc -l <four)" -eq 100001 ] || complain '100001 lines expected'
 
-# Every scene that is shipped for it.
+# Every scene that is shipped for it. Some need an integrator; a build without one says so.
+if "$program" --version | grep -q GSL; then with_gsl=yes; else with_gsl=no; fi
 for scene in "$top"/examples/scenes/*.nml; do
    grep -q '^&output' "$scene" || continue
-   run simulate "$scene"
+   run simulate "$scene" --explain
+   if [ $with_gsl = no ] && grep -q 'no integrator' err; then continue; fi
    expect_status 0
    checks=$((checks + 1))
    ! grep -i -q nan out || complain 'no NaN may show'
+   checks=$((checks + 1))
+   grep -q '^cost: .* ns a sample' err || complain 'a cost expected'
+   cp out "$(basename "$scene" .nml).csv"
 done
+
+# holds WHAT FILE AWK: the script must print nothing.
+holds() {
+   checks=$((checks + 1))
+   command_line="$2"
+   awk -F, "$3" "$2" >out 2>err
+   [ ! -s out ] && [ ! -s err ] || complain "$1"
+}
+
+# The string: energy changes at events only, and by what they say; without tension no swing.
+holds 'energy is what the events leave' slack_string.csv '
+   /^#/ { sub(/.*energy lost = /, ""); sub(/ .*/, ""); lost += $0; next }
+   $1 == "t" { next }
+   !start { start = $8 }
+   { d = start - lost - $8; if (!(d*d < 1e-24) || !($9 >= 0)) print }
+   END { if (!(lost > 1)) print "no loss" }'
+
+if [ $with_gsl = yes ]; then
+   # Foucault: the major axis turns by -rate sin(latitude), against the sun. Its direction from second moments of the last
+   # 20 minutes, 73 swings; their ripple is below 1/73/2. Airy: 3/8 omega a b/l^2 counter-clockwise (his term of higher order:
+   # (a/l)^2 of it, 0.2 %).
+   axis='
+      NR > 1 { x = $2; y = $3; if ($1 > 20400) { xx += x*x; xy += x*y; yy += y*y; t += $1; n++ } }
+      END {
+         pi = atan2(0, -1); omega = sqrt(9.80665/67); a = 67*sin(2.5663*pi/180)
+         rate = -7.292115e-5*sin(48.85*pi/180)
+         b = (v - rate*a)/omega
+         expected = (rate + 3/8*omega*a*b/67^2)*t/n
+         d = atan2(2*xy, xx - yy)/2 - expected
+         d -= pi*int(d/pi + (d < 0 ? -0.5 : 0.5))
+         if (!(d*d < limit^2)) print "axis off by", d, "of", expected
+      }'
+   holds 'Foucault precession' foucault_six_hours.csv "BEGIN { limit = 2e-3; v = 0 } $axis"
+   holds 'Airy precession' foucault_ellipse.csv "BEGIN { limit = 4e-3; v = 0.05 } $axis"
+   # 1e-8 of the energy of the swing, 0.66 m2/s2, over 1300 swings.
+   holds 'Coriolis does no work' foucault_six_hours.csv '
+      NR == 2 { start = $5 } NR > 1 { d = $5 - start; if (!(d*d < 4.4e-17)) print }'
+   # What drag takes is missing, to 1e-9 of g l.
+   holds 'energy balance' laboratory_air.csv '
+      NR == 2 { start = $8 } NR > 1 { d = $8 - $9 - start; if (!(d*d < 1e-16)) print } NR > 2 && !($9 < 0) { print }'
+   holds 'energy balance of the crane' crane.csv '
+      NR == 2 { start = $5 } NR > 1 { d = $5 - $6 - $7 - start; if (!(d*d < 1e-14)) print }
+      END { if (!($2 > 5 && $2 < 15 && $7 > 1)) print "the trolley has not moved" }'
+   # dL/dt = -linear L about the vertical, whatever the swing.
+   holds 'momentum decays exponentially' conical_drag.csv '
+      NR == 2 { start = $5 } NR > 1 { d = $5 - start*exp(-0.05*$1); if (!(d*d < 1e-20)) print }
+      NR == 2 { if (!($8 > 1.04)) print } END { if (!($8 < 0.3)) print "not sunk" }'
+   # Two pendulums of l + extra along x and of l along y: after half a beat of their frequencies the line lies across.
+   holds 'the line turns across' anisotropic.csv '
+      NR == 2 { pi = atan2(0, -1); beat = pi/(sqrt(9.80665/2) - sqrt(9.80665/2.02)) }
+      # Five swings each; by the beat the two have parted by 0.06 radians at the ends of the window.
+      NR > 1 && $1 < 14.2 { early += $2*$3; n++ }
+      NR > 1 && $1 > beat - 7.1 && $1 < beat + 7.1 { late += $2*$3; m++ }
+      END { r = -late*n/(early*m); if (!(m > 280 && r > 0.99 && r < 1.01)) print "ratio", r }'
+
+   # Every effect alone reaches the bob; with all coefficients zero the closed form answers.
+   for effect in '&air linear=0.1' '&air quadratic=0.1' '&air diameter=0.1 mass=0.1' '&earth_rotation latitude=90 rate=0.1' \
+      '&moving_pivot amplitude=0.1,0,0 frequency=3*0.5' '&elastic stiffness=1000 mass=1' \
+      '&anisotropic_support extra_length_y=0.1' '&air linear=0.1 / &wind velocity=3,0,0'; do
+      printf '%s\n' '&pendulum length=1, z_upper=-0.2, z_lower=-0.8 / &output duration=3, samples=4 /' >still.nml
+      run simulate still.nml
+      mv out still
+      { cat still.nml; echo "$effect /"; } >effect.nml
+      run simulate effect.nml --explain
+      expect_status 0
+      checks=$((checks + 1))
+      grep -q '^because:  &[a-z_, &]*: no closed form$' err || complain 'integration expected'
+      checks=$((checks + 1))
+      [ "$(tail -n 1 out)" != "$(tail -n 1 still)" ] || complain 'the effect must show'
+   done
+   printf '%s\n' '&pendulum length=1, z_upper=-0.2, z_lower=-0.8 / &output duration=3, samples=4 /' \
+      '&air linear=0 / &wind velocity=1,2,3 / &anisotropic_support extra_length_x=0 /' >zero.nml
+   run simulate zero.nml --explain --check
+   checks=$((checks + 1))
+   cmp -s out still || complain 'coefficients of zero are the closed form'
+   checks=$((checks + 1))
+   grep -q 'all coefficients are zero' err && grep -q '^check: nothing was integrated' err || complain 'the reason expected'
+
+   # The accuracy, and the check that it is reached.
+   printf '%s\n' '&pendulum length=1, z_upper=-0.2, z_lower=-0.8 / &output duration=30, samples=31 /&air linear=0.1 /' >air.nml
+   run simulate air.nml --accuracy 1e-6 --check
+   expect_status 0
+   checks=$((checks + 1))
+   grep -q '^check: at a tenth of the accuracy, 1.0e-07, places differ by [1-9].*e-0[4-7] m at most' err || complain 'a check expected'
+   run simulate air.nml --check
+   checks=$((checks + 1))
+   grep -q '^check: at a tenth of the accuracy, 1.0e-13, places differ by [1-9].*e-1[0-3] m at most' err || complain 'a check expected'
+
+   # The pivot: a table, and the two frames.
+   printf '0 0 0 0\n1,0.5,0,0\n2 1 0 0 # end\n\n' >pivot.txt
+   printf '%s\n' '&pendulum length=1, release_angle=0, release_speed=0 / &output duration=2, samples=3 /' \
+      "&moving_pivot table='pivot.txt' /" >pivot.nml
+   run simulate pivot.nml
+   expect_status 0
+   # A straight table moves evenly: the bob keeps behind by the relative swing, which the other frame shows.
+   cut -d , -f 2 out >x
+   sed 's/pivot.txt./& relative=.true./' pivot.nml >relative.nml
+   run simulate relative.nml
+   checks=$((checks + 1))
+   cut -d , -f 2 out | paste -d , x - | awk -F, 'NR > 1 { d = $1 - $2 - (NR - 2)*0.5; if (!(d*d < 1e-28)) exit 1 }' ||
+      complain 'the frames must differ by the displacement'
+   printf '0 0 0 0\n1 0.5 0\n' >pivot.txt
+   fails 2 'pivot.txt:2: a line of the table has 4 numbers, t x y z, got 1 0.5 0' simulate pivot.nml
+   printf '0 0 0 0\n1 0.5 0 a\n' >pivot.txt
+   fails 2 'pivot.txt:2: a number is expected, got a (not a number)' simulate pivot.nml
+   printf '0 0 0 0\n1 0.5 0 0\n' >pivot.txt
+   fails 2 'pivot.txt: pivot table: at least 3 times are needed, got 2' simulate pivot.nml
+   printf '0 0 0 0\n1 0.5 0 0\n1.5 1 0 0\n' >pivot.txt
+   fails 2 'pivot.nml: integrate: the table of the pivot ends before the motion' simulate pivot.nml
+   rm pivot.txt
+   fails 2 'pivot.nml:2: &moving_pivot: cannot read pivot.txt: No such file or directory' simulate pivot.nml
+   mkdir folder
+   printf '0 0 0 0\n1 0.5 0 0\n3 1 0 0\n' >folder/pivot.txt
+   cp pivot.nml folder
+   run simulate folder/pivot.nml
+   expect_status 0
+fi
 
 # Wrong use and wrong scenes.
 fails 2 'simulate needs one scene file, or - for standard input' simulate
 fails 2 'simulate needs one scene file' simulate plane.nml cone.nml
 fails 2 'cannot read nowhere.nml: No such file or directory' simulate nowhere.nml
+fails 2 "option --accuracy must be a number, 1e-15 to 0.1, got '1'" simulate plane.nml --accuracy 1
 fails 2 'option --output needs the name of a file' simulate plane.nml --output ''
 fails 2 'option --events needs the name of a file' simulate plane.nml --events -
 fails 2 "unknown option '--divisions'" simulate plane.nml --divisions 3

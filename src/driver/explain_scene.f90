@@ -1,0 +1,92 @@
+!> What `simulate --explain` says of a scene before it runs: the path, why, and its cost, measured on a few samples.
+module kyvadlo_explain_scene
+   use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_number_text, only: digits_text
+   use kyvadlo_sample_block, only: columns_of
+   use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
+   use kyvadlo_samples, only: column_type
+   use kyvadlo_simulate, only: simulate
+   use kyvadlo_simulation, only: simulation_type
+   use kyvadlo_simulation_path, only: path_integrated, path_string, path_type
+   use kyvadlo_standard_io, only: message
+   use kyvadlo_status, only: error_type
+   use kyvadlo_text, only: integer_text, text_sink_type
+   implicit none
+   private
+   public :: explain_scene
+
+   !> Counts what would be written.
+   type, extends(text_sink_type) :: counting_type
+      integer(int64) :: bytes = 0
+   contains
+      procedure :: put => count_line
+   end type counting_type
+
+   !> Samples of the trial; a thousandth of a second on the exact paths.
+   integer(int64), parameter :: trial_samples = 4096
+
+contains
+
+   !> Prints on standard error, a line for each fact. Errors: those of the run, met in the trial.
+   subroutine explain_scene(simulation, path, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+      type(simulation_type) :: trial
+      type(path_type) :: trial_path
+      type(counting_type), target :: counter
+      type(csv_samples_type) :: samples
+      type(column_type), allocatable :: columns(:)
+      integer(int64) :: start, finish, rate
+      real(wp) :: seconds, bytes, all
+      character(len=:), allocatable :: names
+      integer :: i
+
+      allocate (columns, source=columns_of(simulation))
+      names = ''
+      do i = 1, size(columns)
+         names = names//' '//trim(columns(i)%name)
+      end do
+      all = real(simulation%settings%samples, wp)
+      call message('path:     '//path%method)
+      call message('because:  '//path%reason)
+      if (path%path == path_string) call message('events:   '//integer_text(size(path%string%events)))
+      if (path%path == path_integrated) call message('accuracy: '//digits_text(path%tolerance, 2)//', error of a step')
+      call message('columns: '//names)
+      call message('samples:  '//counted(simulation%settings%samples)//' over '//digits_text(path%duration, 6)//' s')
+
+      trial = simulation
+      trial_path = path
+      trial%settings%samples = min(simulation%settings%samples, trial_samples)
+      trial_path%duration = path%duration*(real(trial%settings%samples - 1, wp)/(all - 1))
+      samples = new_csv_samples(counter)
+      call system_clock(start, rate)
+      call simulate(trial, trial_path, samples, error)
+      if (allocated(error)) return
+      call system_clock(finish)
+      seconds = real(finish - start, wp)/rate/trial%settings%samples
+      bytes = real(counter%bytes, wp)/trial%settings%samples
+      call message('cost:     '//integer_text(nint(1e9_wp*seconds))//' ns a sample, '//digits_text(all*seconds, 3) &
+         //' s in all, measured on the first '//counted(trial%settings%samples))
+      call message('output:   '//integer_text(nint(bytes))//' bytes a sample as CSV, '//digits_text(all*bytes/2**20, 3) &
+         //' MiB in all')
+   end subroutine explain_scene
+
+   subroutine count_line(sink, line)
+      class(counting_type), intent(inout) :: sink
+      character(len=*), intent(in) :: line
+
+      sink%bytes = sink%bytes + len(line) + 1
+   end subroutine count_line
+
+   pure function counted(count) result(text)
+      integer(int64), intent(in) :: count
+      character(len=:), allocatable :: text
+      character(len=20) :: buffer
+
+      write (buffer, '(i0)') count
+      text = trim(buffer)
+   end function counted
+
+end module kyvadlo_explain_scene

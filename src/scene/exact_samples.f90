@@ -1,0 +1,134 @@
+!> Samples of motions in closed form: at rest, on one orbit, on a string that goes slack.
+module kyvadlo_exact_samples
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use kyvadlo
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_quantities
+   use kyvadlo_sample_block, only: block_samples, block_type
+   use kyvadlo_simulation_path, only: path_type
+   implicit none
+   private
+   public :: fill_constant, fill_closed_form, fill_string
+
+contains
+
+   !> A bob that stays where it is.
+   pure subroutine fill_constant(path, block)
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      real(wp) :: position(3), velocity(3)
+      integer :: i
+
+      call locate(path%orbit, 0.0_wp, position, velocity)
+      associate (n => block%count, column => block%column)
+         do i = 1, 3
+            if (column(quantity_position) > 0) block%values(:n, column(quantity_position) + i - 1) = position(i)
+            if (column(quantity_velocity) > 0) block%values(:n, column(quantity_velocity) + i - 1) = velocity(i)
+         end do
+         if (column(quantity_tension) > 0) block%values(:n, column(quantity_tension)) = &
+            path%inertia*rod_force(path%orbit, 0.0_wp)
+         ! It has none.
+         if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
+            ieee_value(1.0_wp, ieee_quiet_nan)
+      end associate
+      call fill_constants(path, block)
+   end subroutine fill_constant
+
+   !> What the motion of one orbit conserves, and works that nothing does.
+   pure subroutine fill_constants(path, block)
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+
+      associate (n => block%count, column => block%column)
+         if (column(quantity_energy) > 0) block%values(:n, column(quantity_energy)) = path%inertia*orbit_energy(path%orbit)
+         if (column(quantity_momentum) > 0) block%values(:n, column(quantity_momentum)) = orbit_momentum(path%orbit)
+      end associate
+      call fill_no_work(block)
+   end subroutine fill_constants
+
+   pure subroutine fill_no_work(block)
+      type(block_type), intent(inout) :: block
+
+      associate (n => block%count, column => block%column)
+         if (column(quantity_drag_work) > 0) block%values(:n, column(quantity_drag_work)) = 0
+         if (column(quantity_pivot_work) > 0) block%values(:n, column(quantity_pivot_work)) = 0
+      end associate
+   end subroutine fill_no_work
+
+   !> One orbit at all times.
+   subroutine fill_closed_form(path, block)
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+
+      associate (n => block%count, column => block%column)
+         call place_samples(path%orbit, block%values(:n, 1), 1, block)
+         if (column(quantity_tension) > 0) block%values(:n, column(quantity_tension)) = &
+            path%inertia*rod_force(path%orbit, block%values(:n, 1))
+         if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
+            azimuth(path%orbit, block%values(:n, 1))
+      end associate
+      call fill_constants(path, block)
+   end subroutine fill_closed_form
+
+   !> Places, and velocities if needed, of one orbit at some times, from a sample of the block on.
+   subroutine place_samples(orbit, time, first, block)
+      type(orbit_type), intent(in) :: orbit
+      real(wp), intent(in) :: time(:)
+      integer, intent(in) :: first
+      type(block_type), intent(inout) :: block
+      integer :: last
+
+      last = first + size(time) - 1
+      associate (values => block%values, p => block%column(quantity_position), v => block%column(quantity_velocity))
+         if (v > 0) then
+            call locate_batch(orbit, time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2), &
+               values(first:last, v), values(first:last, v + 1), values(first:last, v + 2))
+         else if (p > 0) then
+            call locate_batch(orbit, time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2))
+         end if
+      end associate
+   end subroutine place_samples
+
+   !> Swings and flights.
+   subroutine fill_string(path, block)
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      real(wp) :: since(block_samples), position(3), velocity(3), tension
+      integer :: first, last, piece, i
+
+      associate (values => block%values, string => path%string, n => block%count, p => block%column(quantity_position), &
+         v => block%column(quantity_velocity), tension_column => block%column(quantity_tension), &
+         energy => block%column(quantity_energy), momentum => block%column(quantity_momentum))
+         piece = 1
+         first = 1
+         do while (first <= n)
+            ! The piece of this sample, and the last sample in it.
+            do while (piece < size(string%pieces))
+               if (string%pieces(piece + 1)%start > values(first, 1)) exit
+               piece = piece + 1
+            end do
+            last = n
+            if (piece < size(string%pieces)) last = first - 1 + count(values(first:n, 1) < string%pieces(piece + 1)%start)
+            if (string%pieces(piece)%is_taut) then
+               since(first:last) = values(first:last, 1) - string%pieces(piece)%start
+               call place_samples(string%pieces(piece)%orbit, since(first:last), first, block)
+               if (tension_column > 0) values(first:last, tension_column) = &
+                  path%inertia*rod_force(string%pieces(piece)%orbit, since(first:last))
+            else
+               do i = first, last
+                  call locate_on_string(string, values(i, 1), position, velocity, tension)
+                  if (p > 0) values(i, p:p + 2) = position
+                  if (v > 0) values(i, v:v + 2) = velocity
+                  if (tension_column > 0) values(i, tension_column) = tension
+               end do
+            end if
+            first = last + 1
+         end do
+         if (energy > 0) values(:n, energy) = path%inertia*((values(:n, v)**2 + values(:n, v + 1)**2 &
+            + values(:n, v + 2)**2)/2 + string%gravity*values(:n, p + 2))
+         if (momentum > 0) values(:n, momentum) = values(:n, p)*values(:n, v + 1) - values(:n, p + 1)*values(:n, v)
+      end associate
+      call fill_no_work(block)
+   end subroutine fill_string
+
+end module kyvadlo_exact_samples

@@ -1,0 +1,117 @@
+!> Samples of an integrated scene; beside it, on request, the same at a tenth of the tolerance.
+module kyvadlo_integrated_samples
+   use kyvadlo_forces, only: mechanical_energy
+   use kyvadlo_integrator, only: advance, finish, integration_type, new_integration
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_motion, only: locate
+   use kyvadlo_quantities
+   use kyvadlo_sample_block, only: block_samples, block_type
+   use kyvadlo_simulation_path, only: check_type, path_type
+   use kyvadlo_status, only: error_type
+   implicit none
+   private
+   public :: integrated_type, begin_integration, fill_integrated, end_integration
+
+   type :: integrated_type
+      type(integration_type) :: run
+      type(check_type) :: check
+      type(integration_type), private :: finer
+      logical, private :: is_checked = .false.
+      real(wp), allocatable, private, dimension(:, :) :: positions, velocities           !! (3, block_samples)
+      real(wp), allocatable, private, dimension(:, :) :: other_positions, other_velocities
+   end type integrated_type
+
+contains
+
+   !> Starts at time 0.
+   subroutine begin_integration(integrated, path, block, is_checked, error)
+      type(integrated_type), intent(inout) :: integrated
+      type(path_type), intent(in) :: path
+      type(block_type), intent(in) :: block
+      logical, intent(in) :: is_checked                       !! A second run at a tenth of the tolerance is compared
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: position(3), velocity(3)
+      logical :: with_work
+
+      call locate(path%orbit, 0.0_wp, position, velocity)
+      with_work = any(block%column([quantity_drag_work, quantity_pivot_work]) > 0)
+      allocate (integrated%positions(3, block_samples), integrated%velocities(3, block_samples))
+      call new_integration(integrated%run, path%effects, path%length, path%gravity, position, velocity, path%tolerance, &
+         error, with_work)
+      integrated%is_checked = is_checked
+      if (allocated(error) .or. .not. is_checked) return
+      allocate (integrated%other_positions(3, block_samples), integrated%other_velocities(3, block_samples))
+      call new_integration(integrated%finer, path%effects, path%length, path%gravity, position, velocity, &
+         path%tolerance/10, error, .false.)
+   end subroutine begin_integration
+
+   !> The samples at the times of the block, relative to the pivot.
+   subroutine fill_integrated(integrated, path, block, error)
+      type(integrated_type), intent(inout) :: integrated
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), dimension(block%count) :: tensions, drag_work, pivot_work
+      integer :: i
+
+      associate (values => block%values, n => block%count, column => block%column, &
+         positions => integrated%positions, velocities => integrated%velocities)
+         call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
+            error)
+         if (allocated(error)) return
+         do i = 1, 3
+            if (column(quantity_position) > 0) values(:n, column(quantity_position) + i - 1) = positions(i, :n)
+            if (column(quantity_velocity) > 0) values(:n, column(quantity_velocity) + i - 1) = velocities(i, :n)
+         end do
+         if (column(quantity_tension) > 0) values(:n, column(quantity_tension)) = tensions
+         if (column(quantity_drag_work) > 0) values(:n, column(quantity_drag_work)) = drag_work
+         if (column(quantity_pivot_work) > 0) values(:n, column(quantity_pivot_work)) = pivot_work
+         if (column(quantity_momentum) > 0) values(:n, column(quantity_momentum)) = positions(1, :n)*velocities(2, :n) &
+            - positions(2, :n)*velocities(1, :n)
+         if (column(quantity_energy) > 0) then
+            do i = 1, n
+               values(i, column(quantity_energy)) = mechanical_energy(path%effects, path%length, path%gravity, values(i, 1), &
+                  positions(:, i), velocities(:, i))
+            end do
+         end if
+      end associate
+      if (integrated%is_checked) call compare(integrated, block, error)
+   end subroutine fill_integrated
+
+   !> What the finer run says of the block.
+   subroutine compare(integrated, block, error)
+      type(integrated_type), intent(inout) :: integrated
+      type(block_type), intent(in) :: block
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), dimension(block%count) :: tensions, drag_work, pivot_work
+      real(wp) :: difference
+      integer :: i
+
+      associate (n => block%count, check => integrated%check)
+         call advance(integrated%finer, block%values(:n, 1), integrated%other_positions(:, :n), &
+            integrated%other_velocities(:, :n), tensions, drag_work, pivot_work, error)
+         if (allocated(error)) return
+         do i = 1, n
+            difference = norm2(integrated%positions(:, i) - integrated%other_positions(:, i))
+            if (.not. difference <= check%position) then
+               check%position = difference
+               check%position_time = block%values(i, 1)
+            end if
+            difference = norm2(integrated%velocities(:, i) - integrated%other_velocities(:, i))
+            if (.not. difference <= check%velocity) then
+               check%velocity = difference
+               check%velocity_time = block%values(i, 1)
+            end if
+         end do
+      end associate
+   end subroutine compare
+
+   !> Gives the memory back.
+   subroutine end_integration(integrated)
+      type(integrated_type), intent(inout) :: integrated
+
+      call finish(integrated%run)
+      call finish(integrated%finer)
+   end subroutine end_integration
+
+end module kyvadlo_integrated_samples

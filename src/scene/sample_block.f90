@@ -1,0 +1,165 @@
+!> A block of samples: its columns, its times, and how the motion is looked at.
+module kyvadlo_sample_block
+   use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_effects, only: effects_type
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_quantities
+   use kyvadlo_samples, only: column_type
+   use kyvadlo_simulation, only: simulation_type
+   use kyvadlo_turning_frame, only: seen_from_turning_frame
+   implicit none
+   private
+   public :: block_type, block_samples, columns_of, new_block, set_times, fill_angles, fill_speed, move_with_pivot, turn_frame
+
+   !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate_batch`.
+   integer, parameter :: block_samples = 8192
+
+   !> A block of samples. What is needed but not asked for stands in columns behind those that are handed over.
+   type :: block_type
+      integer :: count = 0                          !! Samples in it
+      integer :: visible = 0                        !! Columns to hand over
+      integer :: column(size(quantities)) = 0       !! First column of a quantity; 0: not needed
+      real(wp), allocatable :: values(:, :)         !! (block_samples, columns); the first is the time
+   end type block_type
+
+   real(wp), parameter :: pi = acos(-1.0_wp)
+
+contains
+
+   !> The columns of a scene: the time, then what is asked for.
+   pure function columns_of(simulation) result(columns)
+      type(simulation_type), intent(in) :: simulation
+      type(column_type), allocatable :: columns(:)
+      integer :: i, j, count
+
+      associate (chosen => simulation%settings%quantities)
+         allocate (columns(1 + sum(quantities(chosen)%columns)))
+         columns(1) = column_type('t', 's', 'time since the start')
+         count = 1
+         do i = 1, size(chosen)
+            associate (quantity => quantities(chosen(i)))
+               do j = 1, quantity%columns
+                  count = count + 1
+                  columns(count) = column_type(quantity%column_names(j), quantity%unit, quantity%meaning)
+               end do
+            end associate
+         end do
+      end associate
+   end function columns_of
+
+   !> Gives every quantity its columns, and those it is derived from.
+   subroutine new_block(simulation, is_one_orbit, block)
+      type(simulation_type), intent(in) :: simulation
+      logical, intent(in) :: is_one_orbit                     !! Its azimuth comes without places
+      type(block_type), intent(out) :: block
+      integer :: i, count
+
+      count = 1
+      do i = 1, size(simulation%settings%quantities)
+         call add(simulation%settings%quantities(i))
+      end do
+      block%visible = count
+      if (block%column(quantity_speed) > 0) call add(quantity_velocity)
+      if (.not. is_one_orbit) then
+         if (any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
+         if (block%column(quantity_azimuth) > 0) call add(quantity_position)
+      end if
+      if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0) call add(quantity_position)
+      allocate (block%values(block_samples, count))
+
+   contains
+
+      subroutine add(quantity)
+         integer, intent(in) :: quantity
+
+         if (block%column(quantity) > 0) return
+         block%column(quantity) = count + 1
+         count = count + quantities(quantity)%columns
+      end subroutine add
+   end subroutine new_block
+
+   !> The times of the block that begins at a sample: i times the duration over the number of intervals, rounded once where
+   !> the product is exact.
+   pure subroutine set_times(samples, duration, first, block)
+      integer(int64), intent(in) :: samples, first            !! `first` is counted from 0
+      real(wp), intent(in) :: duration
+      type(block_type), intent(inout) :: block
+      real(wp) :: intervals
+      integer :: i
+
+      intervals = real(samples - 1, wp)
+      block%count = int(min(int(block_samples, int64), samples - first))
+      do i = 1, block%count
+         block%values(i, 1) = real(first + i - 1, wp)*duration/intervals
+      end do
+      if (first + block%count == samples) block%values(block%count, 1) = duration
+   end subroutine set_times
+
+   !> Inclination, and azimuth but of one orbit, which counts turns. Places are relative to the pivot still.
+   pure subroutine fill_angles(is_one_orbit, block)
+      logical, intent(in) :: is_one_orbit
+      type(block_type), intent(inout) :: block
+
+      associate (values => block%values, n => block%count, p => block%column(quantity_position), &
+         inclination => block%column(quantity_inclination), azimuth => block%column(quantity_azimuth))
+         if (inclination > 0) values(:n, inclination) = atan2(hypot(values(:n, p), values(:n, p + 1)), -values(:n, p + 2))
+         if (azimuth > 0 .and. .not. is_one_orbit) values(:n, azimuth) = atan2(values(:n, p + 1), values(:n, p))
+      end associate
+   end subroutine fill_angles
+
+   !> Magnitude of the velocity as it is shown.
+   pure subroutine fill_speed(block)
+      type(block_type), intent(inout) :: block
+
+      associate (values => block%values, n => block%count, v => block%column(quantity_velocity), &
+         speed => block%column(quantity_speed))
+         if (speed > 0) values(:n, speed) = hypot(hypot(values(:n, v), values(:n, v + 1)), values(:n, v + 2))
+      end associate
+   end subroutine fill_speed
+
+   !> Places and velocities in the laboratory from those relative to the pivot.
+   pure subroutine move_with_pivot(effects, block)
+      type(effects_type), intent(in) :: effects
+      type(block_type), intent(inout) :: block
+      real(wp) :: displacement(3), velocity(3)
+      integer :: i
+
+      associate (values => block%values, p => block%column(quantity_position), v => block%column(quantity_velocity))
+         if (p == 0) return
+         do i = 1, block%count
+            call pivot_motion(effects, values(i, 1), displacement, velocity)
+            values(i, p:p + 2) = values(i, p:p + 2) + displacement
+            if (v > 0) values(i, v:v + 2) = values(i, v:v + 2) + velocity
+         end do
+      end associate
+   end subroutine move_with_pivot
+
+   !> The motion seen from a frame that turns about the vertical. Energy, momentum and tension stay those of the resting one.
+   pure subroutine turn_frame(rate, is_one_orbit, block)
+      real(wp), intent(in) :: rate                            !! [rad/s]
+      logical, intent(in) :: is_one_orbit                     !! Its azimuth counts turns
+      type(block_type), intent(inout) :: block
+      real(wp) :: position(3), velocity(3)
+      integer :: i
+
+      associate (values => block%values, n => block%count, p => block%column(quantity_position), &
+         v => block%column(quantity_velocity), azimuth_column => block%column(quantity_azimuth))
+         if (azimuth_column > 0) then
+            values(:n, azimuth_column) = values(:n, azimuth_column) - rate*values(:n, 1)
+            if (.not. is_one_orbit) values(:n, azimuth_column) = values(:n, azimuth_column) &
+               - 2*pi*anint(values(:n, azimuth_column)/(2*pi))
+         end if
+         if (p == 0) return
+         velocity = 0
+         do i = 1, n
+            position = values(i, p:p + 2)
+            if (v > 0) velocity = values(i, v:v + 2)
+            call seen_from_turning_frame(rate, values(i, 1), position, velocity)
+            values(i, p:p + 2) = position
+            if (v > 0) values(i, v:v + 2) = velocity
+         end do
+      end associate
+   end subroutine turn_frame
+
+end module kyvadlo_sample_block

@@ -1,0 +1,155 @@
+!> Computes the samples of a scene along the path chosen, block by block, in memory that does not grow with their number.
+module kyvadlo_simulate
+   use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
+#ifdef KYVADLO_WITH_GSL
+   use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, integrated_type
+#endif
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_sample_block
+   use kyvadlo_samples, only: sample_sink_type, scene_event_type
+   use kyvadlo_scene_groups, only: moving_pivot_group, turning_frame_group
+   use kyvadlo_simulation, only: simulation_type
+   use kyvadlo_simulation_path
+   use kyvadlo_status, only: error_type
+   use kyvadlo_string, only: event_rebound, event_slack, event_taut, string_event_type
+   use kyvadlo_turning_frame, only: seen_from_turning_frame
+   implicit none
+   private
+   public :: simulate
+
+contains
+
+   !> Computes a scene and hands the samples, and the events between them, to a sink.
+   !>
+   !> Samples are equidistant in time, both ends included. The sink may end the run early. Errors: those of the integrator;
+   !> what was handed over before then is of no use.
+   subroutine simulate(simulation, path, sink, error, check)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path                     !! From `choose_path`
+      class(sample_sink_type), intent(inout) :: sink
+      type(error_type), allocatable, intent(out) :: error
+      type(check_type), intent(inout), optional :: check      !! Of an integrated scene: at a tenth of the tolerance beside
+      type(block_type) :: block
+#ifdef KYVADLO_WITH_GSL
+      type(integrated_type) :: integrated
+#endif
+      integer(int64) :: first
+      integer :: noted
+      logical :: goes_on, is_one_orbit
+
+      is_one_orbit = path%path == path_closed_form .or. path%path == path_constant
+      call new_block(simulation, is_one_orbit, block)
+      call sink%begin(columns_of(simulation))
+#ifdef KYVADLO_WITH_GSL
+      if (path%path == path_integrated) call begin_integration(integrated, path, block, present(check), error)
+#endif
+      noted = 0
+      goes_on = .not. allocated(error)
+      first = 0
+      do while (first < simulation%settings%samples .and. goes_on)
+         call set_times(simulation%settings%samples, path%duration, first, block)
+         select case (path%path)
+         case (path_constant)
+            call fill_constant(path, block)
+         case (path_closed_form)
+            call fill_closed_form(path, block)
+         case (path_string)
+            call fill_string(path, block)
+#ifdef KYVADLO_WITH_GSL
+         case (path_integrated)
+            call fill_integrated(integrated, path, block, error)
+            if (allocated(error)) exit
+#endif
+         end select
+         call fill_angles(is_one_orbit, block)
+         if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
+         if (simulation%settings%given(turning_frame_group)) &
+            call turn_frame(simulation%settings%frame_rate, is_one_orbit, block)
+         call fill_speed(block)
+         select case (path%path)
+         case (path_string)
+            call hand_over(simulation, path, block, path%string%events, sink, noted, goes_on)
+#ifdef KYVADLO_WITH_GSL
+         case (path_integrated)
+            call hand_over(simulation, path, block, integrated%run%events(:integrated%run%event_count), sink, noted, goes_on)
+#endif
+         case default
+            call sink%take(block%values(:block%count, :block%visible), goes_on)
+         end select
+         first = first + block%count
+      end do
+#ifdef KYVADLO_WITH_GSL
+      if (allocated(error)) error%message = simulation%settings%file//': '//error%message
+      if (path%path == path_integrated) then
+         if (present(check)) check = integrated%check
+         call end_integration(integrated)
+      end if
+#endif
+   end subroutine simulate
+
+   !> Whether what is shown moves with the pivot.
+   pure logical function in_laboratory(simulation)
+      type(simulation_type), intent(in) :: simulation
+
+      in_laboratory = simulation%settings%given(moving_pivot_group) .and. .not. simulation%settings%relative
+   end function in_laboratory
+
+   !> Gives the samples to the sink, and each event before the samples that follow it.
+   subroutine hand_over(simulation, path, block, events, sink, noted, goes_on)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(block_type), intent(in) :: block
+      type(string_event_type), intent(in) :: events(:)        !! All that are known yet
+      class(sample_sink_type), intent(inout) :: sink
+      integer, intent(inout) :: noted                         !! Events handed over so far
+      logical, intent(inout) :: goes_on
+      integer :: first, last
+
+      first = 1
+      do while (first <= block%count .and. goes_on)
+         last = block%count
+         do while (noted < size(events))
+            if (events(noted + 1)%time > block%values(first, 1)) exit
+            noted = noted + 1
+            call sink%note(scene_event(simulation, path, events(noted)))
+         end do
+         if (noted < size(events)) last = first - 1 + count(block%values(first:block%count, 1) < events(noted + 1)%time)
+         call sink%take(block%values(first:last, :block%visible), goes_on)
+         first = last + 1
+      end do
+   end subroutine hand_over
+
+   !> An event of the string in words, and where the samples show it.
+   pure function scene_event(simulation, path, from) result(event)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(string_event_type), intent(in) :: from
+      type(scene_event_type) :: event
+      real(wp) :: displacement(3), velocity(3)
+
+      event%time = from%time
+      event%position = from%position
+      event%energy_lost = path%inertia*from%energy_lost
+      if (in_laboratory(simulation)) then
+         call pivot_motion(path%effects, from%time, displacement, velocity)
+         event%position = event%position + displacement
+      end if
+      if (simulation%settings%given(turning_frame_group)) then
+         velocity = 0
+         call seen_from_turning_frame(simulation%settings%frame_rate, from%time, event%position, velocity)
+      end if
+      select case (from%kind)
+      case (event_slack)
+         event%what = 'slack'
+      case (event_taut)
+         event%what = 'taut'
+      case (event_rebound)
+         event%what = 'rebound'
+      case default
+         event%what = 'taut after rattling'
+      end select
+   end function scene_event
+
+end module kyvadlo_simulate
