@@ -49,11 +49,14 @@ awk '
          tag = substr(tags, RSTART, RLENGTH)
          tags = substr(tags, RSTART + RLENGTH)
          equations++
+         seen[tag] = 1
          if (!index(text, tag)) complain("equation " tag " does not stand in the docstring named: " last)
       }
    }
    END {
       if (rows < 10) { print "only " rows + 0 " rows found: this check reads doc/formulas.md wrongly"; exit 1 }
+      # The paper counts its equations from 1 to 36.
+      for (n = 1; n <= 36; n++) if (!(("(" n ")") in seen)) { print "no row for equation (" n ")"; bad++ }
       if (bad) exit 1
       print equations " equations in " rows " rows, each in the docstring named"
    }' doc/formulas.md
