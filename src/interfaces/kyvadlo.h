@@ -69,6 +69,9 @@ enum {
   KYVADLO_DOMAIN = 1  /* a value breaks a rule; the message names it */
 };
 
+/* What a code means, in a few words; never null, and not to be freed. A set-up's own message says more. */
+const char *kyvadlo_message(int code);
+
 /* Set-up from length l and gravity g > 0 and two numbers. Returns a code; on failure `message` (of `capacity` bytes, may be 0)
    says which rule is broken by which values, and every result from the orbit is NaN. */
 /* The turning heights z1 >= z2 above the pivot [m]; z1 + z2 < 0. */

@@ -70,6 +70,9 @@ int main(void)
         "a message that is too long for its buffer");
   check(kyvadlo_orbit_from_heights(-1, g, -0.8, 0.3, &orbit, NULL, 0) == KYVADLO_DOMAIN, "no buffer at all");
 
+  check(strcmp(kyvadlo_message(KYVADLO_OK), "no error") == 0 && strstr(kyvadlo_message(KYVADLO_DOMAIN), "rule") != NULL
+        && strstr(kyvadlo_message(-1), "unknown") != NULL, "what codes mean");
+
   printf("%d passed, %d failed\n", passes, failures);
   return failures != 0;
 }
