@@ -1,11 +1,14 @@
 !> The words of the command line, checked against `kyvadlo_commands`, and the help pages made from it.
 module kyvadlo_command_line
+   use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_accuracy, only: coarsest_accuracy, finest_quad
    use kyvadlo_commands, only: commands, examples, explanations, options
+   use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: append, join, shown, text_sink_type, text_type
    implicit none
    private
-   public :: arguments_type, read_command_line, write_help, write_usage, option_given, option_value, integer_option
+   public :: arguments_type, read_command_line, write_help, write_usage, option_given, option_value, integer_option, accuracy_option
 
    type :: arguments_type
       character(len=:), allocatable :: command          !! Empty: none given
@@ -175,6 +178,31 @@ contains
       write (range, '(i0," to ",i0)') smallest, largest
       call fail(error, code_input, 'option '//name//' must be a whole number, '//trim(range)//', got '//quoted(text))
    end subroutine integer_option
+
+   !> Value of --accuracy, which lies where an accuracy can be promised. It chooses the kind: who names that too contradicts
+   !> himself.
+   subroutine accuracy_option(arguments, accuracy, error)
+      type(arguments_type), intent(in) :: arguments
+      real(real64), intent(inout) :: accuracy       !! On entry the default
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: name = '--accuracy', others(2) = [character(len=8) :: '--kind', '--digits']
+      character(len=:), allocatable :: text, what
+      integer :: i
+
+      if (.not. option_given(arguments, name)) return
+      text = option_value(arguments, name, '')
+      call read_number(text, accuracy, what)
+      if (allocated(what)) then
+         call fail(error, code_input, 'option '//name//' must be a number, got '//quoted(text)//' ('//what//')')
+      else if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
+         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(finest_quad, 2)//' and '// &
+            digits_text(coarsest_accuracy, 1)//', got '//quoted(text))
+      end if
+      do i = 1, size(others)
+         if (option_given(arguments, trim(others(i))) .and. .not. allocated(error)) &
+            call fail(error, code_input, 'options '//name//' and '//trim(others(i))//' exclude each other')
+      end do
+   end subroutine accuracy_option
 
    !> The page of `kyvadlo COMMAND --help`, or of the program if there is no command.
    subroutine write_help(sink, command)

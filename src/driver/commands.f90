@@ -43,6 +43,8 @@ module kyvadlo_commands
       option_type('table', '--format', 'text|csv|markdown', 'layout of the output (default text)'), &
       option_type('table', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
       option_type('table', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
+      option_type('table', '--accuracy', 'A', &
+         'kind and digits for a relative error A, 1.3e-32 to 0.1: double down to 1e-13, then quad'), &
       option_type('table', '--upper', 'A:B:N', 'a grid instead of scenes: N upper turning heights from A to B'), &
       option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
       option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &

@@ -20,7 +20,7 @@ end module kyvadlo_table_command_real128
 
 module kyvadlo_table_command
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo_command_line, only: arguments_type, integer_option, option_given, option_value
+   use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
    use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
    use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
    use kyvadlo_status, only: code_input, error_type, fail
@@ -40,12 +40,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(table_options_type) :: options
       type(output_type) :: output
+      character(len=:), allocatable :: kind
 
-      call read_options(arguments, options, error)
+      call read_options(arguments, options, kind, error)
       if (allocated(error)) return
       call open_output(output, option_value(arguments, '--output', ''), error)
       if (allocated(error)) return
-      select case (option_value(arguments, '--kind', 'double'))
+      select case (kind)
       case ('single')
          call tables_in_kind(1.0_real32, arguments, options, output, error)
       case ('quad')
@@ -61,12 +62,27 @@ contains
    end subroutine table_command
 
    !> The options that do not depend on the kind, and which of them exclude each other.
-   subroutine read_options(arguments, options, error)
+   subroutine read_options(arguments, options, kind, error)
       type(arguments_type), intent(in) :: arguments
       type(table_options_type), intent(out) :: options
+      character(len=:), allocatable, intent(out) :: kind  !! single, double, quad
       type(error_type), allocatable, intent(out) :: error
+      real(real64) :: accuracy
       logical :: is_grid
+      !> Of 14 digits of double precision all count, of 32 in quad.
+      real(real64), parameter :: least_of_double = 1e-13_real64
+      integer, parameter :: most_digits = 32
 
+      kind = option_value(arguments, '--kind', 'double')
+      accuracy = 1
+      call accuracy_option(arguments, accuracy, error)
+      if (allocated(error)) return
+      if (accuracy < 1) then
+         ! One digit more than the accuracy has, so that rounding adds a tenth of it at most. Single would round the scene.
+         options%digits = min(1 + ceiling(-log10(accuracy)), most_digits)
+         kind = 'quad'
+         if (accuracy >= least_of_double) kind = 'double'
+      end if
       select case (option_value(arguments, '--format', 'text'))
       case ('csv')
          options%layout = layout_csv

@@ -16,6 +16,23 @@ run table plane.nml --kind quad
 expect_match ' T  *3.7081493546027438368677006943905 s$'
 run table plane.nml --digits 5
 expect_match ' T  *3.7081 s$'
+# To an accuracy: kind and digits from it; 1e-20 needs quad, and 21 digits show it.
+run table plane.nml --accuracy 1e-6
+expect_status 0
+expect_match ' T  *3.708149 s$'
+run table plane.nml --accuracy 1e-13
+expect_match ' T  *3.7081493546027 s$'
+run table plane.nml --accuracy=1e-20
+expect_match ' T  *3.70814935460274383687 s$'
+run table plane.nml --accuracy 2e-32 --format csv
+expect_match '^# T = 3.7081493546027438368677006943905 s$'
+run table --upper 0 --lower -1:-0.5:2 --accuracy 1e-3
+expect_status 0
+fails 2 'options --accuracy and --kind exclude each other' table --accuracy 1e-6 --kind single
+fails 2 'options --accuracy and --digits exclude each other' table --accuracy 1e-6 --digits 3
+fails 2 "option --accuracy must lie between 1.2e-32 and 0.1, got '1e-33'" table --accuracy 1e-33
+fails 2 "option --accuracy must lie between 1.2e-32 and 0.1, got '6'" table --accuracy 6
+fails 2 "option --accuracy must be a number, got 'high'" table --accuracy high
 
 # A generic orbit: mpmath, 40 digits, T and phi by quadrature of (5) and (17), z and dz/dt by sn, cn, dn, phi(T/10) by
 # quadrature over time: T 1.08679328201239380701917, phi(T) 5.36839090529474055772109; at T/10 z 0.222528826378629109216,
