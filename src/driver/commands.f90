@@ -61,6 +61,7 @@ module kyvadlo_commands
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('bench', '--functions', '', 'the elliptic functions'), &
       option_type('bench', '--motion', '', 'places, velocities, periods and set-up'), &
+      option_type('bench', '--accuracy', '', 'places to a stated accuracy'), &
       option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &
@@ -82,7 +83,8 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
       example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost'), &
-      example_type('bench', 'kyvadlo bench --motion', 'the motion beside two sines and a division')]
+      example_type('bench', 'kyvadlo bench --motion', 'the motion beside two sines and a division'), &
+      example_type('bench', 'kyvadlo bench --accuracy', 'what an accuracy of 1e-6 saves')]
 
    type(explanation_type), parameter :: explanations(*) = [ &
       explanation_type('table', &

@@ -1,6 +1,7 @@
 !> The program `kyvadlo`: the only code that opens standard output, ends with a status and writes messages.
 program kyvadlo_main
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use kyvadlo_bench_accuracy, only: bench_accuracy
    use kyvadlo_bench_functions, only: bench_functions
    use kyvadlo_bench_motion, only: bench_motion
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
@@ -70,15 +71,20 @@ contains
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
       integer :: status
+      logical :: some
 
       if (size(arguments%operands) > 0) then
          call fail(error, code_input, "bench takes no operand, got '"//arguments%operands(1)%text//"'")
          return
       end if
-      if (option_given(arguments, '--functions') .or. .not. option_given(arguments, '--motion')) &
+      some = option_given(arguments, '--functions') .or. option_given(arguments, '--motion') .or. &
+         option_given(arguments, '--accuracy')
+      if (option_given(arguments, '--functions') .or. .not. some) &
          call bench_functions(output_unit, option_given(arguments, '--quick'))
-      if (option_given(arguments, '--motion') .or. .not. option_given(arguments, '--functions')) &
+      if (option_given(arguments, '--motion') .or. .not. some) &
          call bench_motion(output_unit, option_given(arguments, '--quick'))
+      if (option_given(arguments, '--accuracy') .or. .not. some) &
+         call bench_accuracy(output_unit, option_given(arguments, '--quick'))
       flush (output_unit, iostat=status)
       if (status /= 0) call fail(error, code_file, 'cannot write to standard output')
    end subroutine bench_command

@@ -19,7 +19,7 @@ module kyvadlo_accuracy
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
-   use kyvadlo_orbit_real64, only: harmonics_type, new_orbit_from_gaps, orbit_type, set_up_kernel
+   use kyvadlo_orbit_real64, only: new_orbit_from_gaps, orbit_type
    use kyvadlo_orbit_real128, only: orbit_type_real128
    use kyvadlo_start, only: new_orbit
    use kyvadlo_status, only: code_domain, error_type, fail
@@ -77,11 +77,10 @@ contains
       real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
       real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
       type(error_type), allocatable, intent(out) :: error
-      type(orbit_type) :: orbit
       logical :: is_kept
 
-      call new_orbit(orbit, start, length, gravity, first, second, error)
-      if (.not. allocated(error)) call begin(plan, orbit, accuracy, span, error)
+      call new_orbit(plan%orbit, start, length, gravity, first, second, error)
+      if (.not. allocated(error)) call begin(plan, accuracy, span, error)
       if (.not. allocated(error)) then
          call choose(plan, is_kept)
          if (is_kept) return
@@ -96,13 +95,14 @@ contains
    !> The same from an orbit in double precision, for an accuracy that double precision keeps.
    pure subroutine to_accuracy_from_orbit(plan, orbit, accuracy, span, error)
       type(accurate_orbit_type), intent(out) :: plan
-      type(orbit_type), intent(in) :: orbit              !! As set up: any kernel it had is chosen anew
+      type(orbit_type), intent(in) :: orbit              !! Not the `orbit` of another accuracy
       real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
       real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
       type(error_type), allocatable, intent(out) :: error
       logical :: is_kept
 
-      call begin(plan, orbit, accuracy, span, error)
+      plan%orbit = orbit
+      call begin(plan, accuracy, span, error)
       if (.not. allocated(error)) then
          call choose(plan, is_kept)
          if (is_kept) return
@@ -114,13 +114,11 @@ contains
    end subroutine to_accuracy_from_orbit
 
    !> Checks what is asked for and takes it down.
-   pure subroutine begin(plan, orbit, accuracy, span, error)
+   pure subroutine begin(plan, accuracy, span, error)
       type(accurate_orbit_type), intent(inout) :: plan
-      type(orbit_type), intent(in) :: orbit
       real(real64), intent(in) :: accuracy, span
       type(error_type), allocatable, intent(out) :: error
 
-      plan%orbit = orbit
       plan%accuracy = accuracy
       plan%span = span
       if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
@@ -144,7 +142,7 @@ contains
          if (.not. bounds(grade) <= plan%accuracy) cycle
          plan%bound = bounds(grade)
          is_kept = .true.
-         if (grade_harmonics(grade) < grade_harmonics(grade_full)) call drop_harmonics(plan%orbit, grade_harmonics(grade))
+         call drop_harmonics(plan%orbit%kernel, grade_harmonics(grade))
          plan%orbit%kernel%grade = grade
          if (grade_is_narrow(grade)) call clear_smallest(plan%orbit%kernel)
          return
@@ -154,27 +152,45 @@ contains
       is_kept = plan%bound <= plan%accuracy .and. half_periods(plan) <= 2/epsilon(1.0_real64)
    end subroutine choose
 
-   !> The kernel without the harmonics above `highest`; the rest of the orbit keeps them.
-   pure subroutine drop_harmonics(orbit, highest)
-      type(orbit_type), intent(inout) :: orbit
+   !> Leaves the harmonics above `highest` out of a kernel. In powers of u the highest power belongs to the highest harmonic
+   !> alone, which is taken off with its lower powers too.
+   pure subroutine drop_harmonics(b, highest)
+      type(batch_type), intent(inout) :: b
       integer, intent(in) :: highest
-      type(orbit_type) :: short
+      integer :: n, i
 
-      short = orbit
-      call drop(short%bottom)
-      call drop(short%top)
-      call set_up_kernel(short)
-      orbit%kernel = short%kernel
+      do n = 3, highest + 1, -1
+         do i = 0, 1
+            call drop_odd(b%odd(i))
+            if (b%form == form_direct_odd) then
+               call drop_odd(b%even(i))
+            else
+               call drop(b%even(i)%cosine, even_cosines(:, n), n)
+               call drop(b%even(i)%sine, even_sines(:, n), n - 1)
+               call drop(b%even(i)%cosine_slope, even_sines(:, n), n - 1)
+               call drop(b%even(i)%sine_slope, even_cosines(:, n), n)
+            end if
+         end do
+      end do
 
    contains
 
-      pure subroutine drop(series)
-         type(harmonics_type), intent(inout) :: series
+      pure subroutine drop_odd(wave)
+         type(wave_type), intent(inout) :: wave
 
-         series%p_cos(highest + 1:) = 0
-         series%p_sin(highest + 1:) = 0
-         series%f_cos(highest + 1:) = 0
-         series%f_sin(highest + 1:) = 0
+         call drop(wave%cosine, odd_cosines(:, n), n)
+         call drop(wave%sine, odd_sines(:, n), n)
+         call drop(wave%cosine_slope, odd_sines(:, n), n)
+         call drop(wave%sine_slope, odd_cosines(:, n), n)
+      end subroutine drop_odd
+
+      pure subroutine drop(a, harmonic, power)
+         real(real64), intent(inout) :: a(0:3)
+         real(real64), intent(in) :: harmonic(0:3)
+         integer, intent(in) :: power  !! The highest of the harmonic
+
+         a(:power - 1) = a(:power - 1) - a(power)/harmonic(power)*harmonic(:power - 1)
+         a(power) = 0
       end subroutine drop
    end subroutine drop_harmonics
 
@@ -225,7 +241,7 @@ contains
    pure subroutine weigh(orbit, left_out, sensitivity)
       type(orbit_type), intent(in) :: orbit
       real(real64), intent(out) :: left_out(0:3), sensitivity
-      real(real64) :: scaling, farthest, power, step, least
+      real(real64) :: scaling, step, power, u, least
       integer :: n
 
       associate (b => orbit%kernel, low => orbit%bottom, high => orbit%top)
@@ -233,13 +249,14 @@ contains
          if (b%form /= form_dual) least = 1 - 2*orbit%series_nome
          scaling = 2/(sqrt(2*value(orbit%gaps%length))*least)
          left_out = 0
-         farthest = b%stretch/2   ! V half a half period from the passage
+         ! exp V half a half period from the passage: V = pi K/4K', and q' = exp(-pi K/K').
+         step = 1/sqrt(sqrt(max(orbit%series_nome, tiny(1.0_real64))))
+         u = (step**2 + 1/step**2)/2
          do n = 3, 1, -1
             left_out(n - 1) = left_out(n)
             if (n > low%highest) cycle
             if (b%form == form_dual) then
-               power = exp(2*n*farthest)
-               step = exp(farthest)
+               power = step**(2*n)
                left_out(n - 1) = left_out(n) + scaling*max( &
                   power*largest(low%p_cos(n), low%p_sin(n)) + power/step*largest(low%f_cos(n), low%f_sin(n)), &
                   power*step*largest(high%f_cos(n), high%f_sin(n)) + power*largest(high%p_cos(n), high%p_sin(n)))
@@ -249,7 +266,7 @@ contains
             end if
          end do
          if (b%form == form_dual) then
-            sensitivity = max(hyperbolic_odd(b%odd(1)), cosh(min(farthest, log(huge(farthest))/2))*hyperbolic_odd(b%odd(0))) &
+            sensitivity = max(hyperbolic_odd(b%odd(1)), step*hyperbolic_odd(b%odd(0))) &
                + max(hyperbolic_even(b%even(1)), hyperbolic_even(b%even(0)))
          else
             sensitivity = trigonometric_odd(b%odd(1))
@@ -307,12 +324,15 @@ contains
       !> Sum of (first + 6 n) |a(n)| u**(n+power) for the largest u. What is 0 may stand beside an overflow.
       pure real(real64) function grown(a, first, power)
          real(real64), intent(in) :: a(0:3)
-         integer, intent(in) :: first, power
-         integer :: k
+         integer, intent(in) :: first, power  !! 0 or 1
+         real(real64) :: u_power
+         integer :: n
 
          grown = 0
-         do k = 0, 3
-            if (abs(a(k)) > 0 .and. first + 6*k > 0) grown = grown + (first + 6*k)*abs(a(k))*cosh(2*farthest)**(k + power)
+         u_power = merge(u, 1.0_real64, power == 1)
+         do n = 0, 3
+            if (abs(a(n)) > 0) grown = grown + (first + 6*n)*abs(a(n))*u_power
+            u_power = u_power*u
          end do
       end function grown
    end subroutine weigh
@@ -386,6 +406,8 @@ contains
             words = 'none'
          else if (b%form == form_scalar) then
             words = 'real64, point by point'
+         else if (b%grade == grade_full) then
+            words = 'real64 vectors, all terms'
          else
             words = merge('real32', 'real64', grade_is_narrow(b%grade))//' vectors, harmonics 0 to '// &
                achar(iachar('0') + grade_harmonics(b%grade))

@@ -27,7 +27,7 @@ module kyvadlo_batch_constants
    !> The largest errors of sine and cosine, and of cosh and sinh relative to cosh, as printed in batch_polynomials*.inc; with
    !> |sin| <= 0.7072, sinh/cosh <= 0.3334.
    real(real64), parameter :: grade_sine_error(0:most_grade) = [real(real64) :: 2.8e-17, 4.0e-5, 2.5e-8, 3.4e-12, 3.4e-15]
-   real(real64), parameter :: grade_cosh_error(0:most_grade) = [real(real64) :: 1.2e-17, 3.1e-7, 7.4e-9, 1.6e-12, 5.4e-14]
+   real(real64), parameter :: grade_cosh_error(0:most_grade) = [real(real64) :: 1.2e-17, 3.1e-7, 7.4e-9, 1.6e-12, 4.5e-16]
 
    !> With u = cos 2v (cosh 2V in the dual form) and c, s the cosine and sine of v (V), s2 = 2 s c, coefficients of u**0 ... u**3:
    !> an odd function is c*cosine(u) + i s*sine(u), an even one cosine(u) + i s2*sine(u).
@@ -37,6 +37,16 @@ module kyvadlo_batch_constants
       real(real64) :: cosine_slope(0:3) = 0  !! Derivative of the even part: times s, or s2
       real(real64) :: sine_slope(0:3) = 0    !! Derivative of the odd part: times c, or 1
    end type wave_type
+
+   !> Polynomials in u = cos 2v, by row the power, of cos 2nv; sin 2nv/sin 2v; cos (2n+1)v/cos v; sin (2n+1)v/sin v.
+   real(real64), parameter :: even_cosines(0:3, 0:3) = reshape([real(real64) :: &
+      1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 2, 0, 0, -3, 0, 4], [4, 4])
+   real(real64), parameter :: even_sines(0:3, 0:3) = reshape([real(real64) :: &
+      0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, -1, 0, 4, 0], [4, 4])
+   real(real64), parameter :: odd_cosines(0:3, 0:3) = reshape([real(real64) :: &
+      1, 0, 0, 0, -1, 2, 0, 0, -1, -2, 4, 0, 1, -4, -4, 8], [4, 4])
+   real(real64), parameter :: odd_sines(0:3, 0:3) = reshape([real(real64) :: &
+      1, 0, 0, 0, 1, 2, 0, 0, -1, 2, 4, 0, -1, -4, 4, 8], [4, 4])
 
    !> Constants of one orbit, but for its start.
    type :: batch_type

@@ -48,7 +48,7 @@ GRADES = [
     ("batch_polynomials_1.inc", "real32", (2, 2, 2, 2), None),
     ("batch_polynomials_2.inc", "real32", (3, 4, 2, 3), None),
     ("batch_polynomials_3.inc", "real64", (4, 5, 3, 4), None),
-    ("batch_polynomials_4.inc", "real64", (5, 6, 4, 4), None),
+    ("batch_polynomials_4.inc", "real64", (5, 6, 4, 5), None),
 ]
 
 
