@@ -24,6 +24,7 @@ module kyvadlo_forces
       real(wp) :: weight = 0      !! Gravity less buoyancy [m/s2]
       real(wp) :: inertia = 1     !! Mass moved over the mass of the bob
       logical :: has_drag = .false., has_turn = .false., has_moving_pivot = .false., is_elastic = .false.
+      logical :: has_more = .false.   !! Than weight and rod or string
    end type forces_type
 
 contains
@@ -50,6 +51,7 @@ contains
       forces%has_turn = any(abs(effects%turn_rate) > 0)
       forces%has_moving_pivot = has_moving_pivot(effects)
       forces%is_elastic = effects%stiffness > 0
+      forces%has_more = forces%has_drag .or. forces%has_turn .or. forces%has_moving_pivot .or. forces%inertia > 1
       call new_suspension(forces%suspension, length, effects%extra_length)
    end subroutine new_forces
 
@@ -63,12 +65,25 @@ contains
       real(wp), intent(out) :: tension             !! Of rod or string, per mass of the bob [m/s2]
       real(wp), intent(out) :: drag_power          !! Of the drag in the laboratory, per mass of the bob [m2/s3]
       real(wp), intent(out) :: pivot_power         !! Of the pivot on the pendulum, likewise [m2/s3]
-      real(wp) :: pivot_velocity(3), distance, outward(3), bending, pull
+      real(wp) :: pivot_velocity(3), distance, outward(3), bending, pull, square
 
       call applied_acceleration(forces, time, velocity, acceleration, pivot_velocity, drag_power)
       tension = 0
       pivot_power = 0
       if (.not. is_taut) return
+      if (forces%suspension%is_sphere .and. .not. forces%is_elastic) then
+         ! The case below with outward = position/distance, written out for speed.
+         square = position(1)**2 + position(2)**2 + position(3)**2
+         pull = (position(1)*acceleration(1) + position(2)*acceleration(2) + position(3)*acceleration(3) &
+            + velocity(1)**2 + velocity(2)**2 + velocity(3)**2)/square
+         acceleration(1) = acceleration(1) - pull*position(1)
+         acceleration(2) = acceleration(2) - pull*position(2)
+         acceleration(3) = acceleration(3) - pull*position(3)
+         pull = pull*forces%inertia
+         tension = pull*sqrt(square)
+         if (forces%has_moving_pivot) pivot_power = -pull*dot_product(position, pivot_velocity)
+         return
+      end if
       call stretch(forces%suspension, position, velocity, distance, outward, bending)
       if (forces%is_elastic) then
          tension = forces%effects%stiffness*(distance - forces%suspension%radius)
@@ -87,21 +102,25 @@ contains
       type(forces_type), intent(in) :: forces
       real(wp), intent(in) :: time, velocity(3)
       real(wp), intent(out) :: acceleration(3)
-      real(wp), intent(out) :: pivot_velocity(3)
+      real(wp), intent(out) :: pivot_velocity(3)  !! Set where the pivot moves [m/s]
       real(wp), intent(out) :: drag_power
       real(wp) :: in_laboratory(3), through_air(3), drag(3), displacement(3), pivot_acceleration(3)
 
+      acceleration(1) = 0
+      acceleration(2) = 0
+      acceleration(3) = -forces%weight
+      drag_power = 0
+      if (.not. forces%has_more) return
       in_laboratory = velocity
       pivot_velocity = 0
       if (forces%has_moving_pivot) then
          call pivot_motion(forces%effects, time, displacement, pivot_velocity, pivot_acceleration)
          in_laboratory = velocity + pivot_velocity
       end if
-      acceleration = [0.0_wp, 0.0_wp, -forces%weight]
-      drag_power = 0
       if (forces%has_drag) then
          through_air = in_laboratory - forces%effects%wind
-         drag = -(forces%effects%linear_drag + forces%effects%quadratic_drag*norm2(through_air))*through_air
+         drag = -(forces%effects%linear_drag + forces%effects%quadratic_drag*sqrt(dot_product(through_air, through_air))) &
+            *through_air
          drag_power = dot_product(drag, in_laboratory)
          acceleration = acceleration + drag
       end if
@@ -113,7 +132,7 @@ contains
             acceleration(3) = acceleration(3) - 2*(w(1)*v(2) - w(2)*v(1))
          end associate
       end if
-      acceleration = acceleration/forces%inertia
+      if (forces%inertia > 1) acceleration = acceleration/forces%inertia
       if (forces%has_moving_pivot) acceleration = acceleration - pivot_acceleration
    end subroutine applied_acceleration
 

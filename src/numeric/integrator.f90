@@ -278,7 +278,7 @@ contains
             powers(2))
          defect = norm2(bend - acceleration)
          ! What rounding alone leaves of a second difference.
-         allowed = max(run%tolerance, 64*epsilon(h))
+         allowed = max(4*run%tolerance, 64*epsilon(h))
          if (defect*h**2*defect_to_position <= allowed*run%unit_length &
             .and. defect*h*defect_to_velocity <= allowed*run%unit_speed) run%between = by_polynomial
       end associate

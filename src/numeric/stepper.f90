@@ -32,6 +32,11 @@ module kyvadlo_stepper
       integer :: unknowns = 6
    end type problem_type
 
+   !> GSL's arrays, of which the first `problem%unknowns` are there: known to be contiguous.
+   type :: numbers_type
+      real(c_double) :: number(unknowns)
+   end type numbers_type
+
    !> An integration between two steps.
    type :: stepper_type
       type(problem_type), pointer :: problem => null()
@@ -141,7 +146,8 @@ contains
             return
          end if
       end do
-      if (.not. is_cut) stepper%next = wanted
+      ! A step cut short tells of longer ones only.
+      if (wanted > stepper%next .or. .not. is_cut) stepper%next = wanted
       call accept(stepper, ends, y, rates)
    end subroutine take_step
 
@@ -149,7 +155,7 @@ contains
    subroutine trial_step(stepper, h, y, rates, tension)
       type(stepper_type), intent(in) :: stepper
       real(wp), intent(in) :: h                 !! Up to the length of the last step [s]
-      real(wp), intent(out) :: y(:), rates(:)   !! (unknowns)
+      real(wp), intent(out) :: y(unknowns), rates(unknowns)
       real(wp), intent(out) :: tension          !! [m/s2]
       real(wp) :: errors(unknowns)
       integer :: n, status
@@ -166,7 +172,7 @@ contains
    !> Makes a state at a later time the present one.
    subroutine accept(stepper, time, y, rates)
       type(stepper_type), intent(inout) :: stepper
-      real(wp), intent(in) :: time, y(:), rates(:)
+      real(wp), intent(in) :: time, y(unknowns), rates(unknowns)
 
       stepper%start = stepper%time
       stepper%start_y = stepper%y
@@ -182,7 +188,7 @@ contains
 
    pure subroutine put_back(problem, y)
       type(problem_type), intent(in) :: problem
-      real(wp), intent(inout) :: y(:)
+      real(wp), intent(inout) :: y(unknowns)
 
       if (problem%is_taut .and. .not. problem%forces%is_elastic) &
          call put_on_surface(problem%forces%suspension, y(1:3), y(4:6))
@@ -190,14 +196,20 @@ contains
 
    subroutine find_rates(problem, time, y, rates)
       type(problem_type), intent(inout) :: problem
-      real(wp), intent(in) :: time, y(:)
-      real(wp), intent(inout) :: rates(:)
-      real(wp) :: acceleration(3), drag_power, pivot_power
+      real(wp), intent(in) :: time, y(unknowns)
+      real(wp), intent(inout) :: rates(unknowns)
+      real(wp) :: place(3), velocity(3), acceleration(3), drag_power, pivot_power
+      integer :: i
 
-      call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, problem%tension, &
-         drag_power, pivot_power)
-      rates(1:3) = y(4:6)
-      rates(4:6) = acceleration
+      do i = 1, 3
+         place(i) = problem%base(i) + y(i)
+         velocity(i) = y(3 + i)
+      end do
+      call move(problem%forces, problem%is_taut, time, place, velocity, acceleration, problem%tension, drag_power, pivot_power)
+      do i = 1, 3
+         rates(i) = velocity(i)
+         rates(3 + i) = acceleration(i)
+      end do
       if (problem%drag_work > 0) rates(problem%drag_work) = drag_power
       if (problem%pivot_work > 0) rates(problem%pivot_work) = pivot_power
    end subroutine find_rates
@@ -207,13 +219,13 @@ contains
       real(c_double), value :: t
       type(c_ptr), value :: y, dydt, params
       integer(c_int) :: status
-      real(c_double), pointer :: u(:), du(:)
+      type(numbers_type), pointer :: u, du
       type(problem_type), pointer :: problem
 
       call c_f_pointer(params, problem)
-      call c_f_pointer(y, u, [problem%unknowns])
-      call c_f_pointer(dydt, du, [problem%unknowns])
-      call find_rates(problem, t, u, du)
+      call c_f_pointer(y, u)
+      call c_f_pointer(dydt, du)
+      call find_rates(problem, t, u%number, du%number)
       status = 0
    end function right_side
 
