@@ -3,9 +3,10 @@
 module kyvadlo_bench_functions
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
    use kyvadlo, only: elliptic_f
-   use kyvadlo_bench_rows, only: rows, id_zeta, points, set_ups, by_modulus, print_head, print_row
-   use kyvadlo_bench_values, only: our_values
-   use kyvadlo_bench_gsl, only: gsl_values
+   use kyvadlo_bench_rows, only: rows, by_modulus, print_head, print_row
+   use kyvadlo_function_ids, only: id_zeta, points, set_ups
+   use kyvadlo_function_values, only: our_values
+   use kyvadlo_function_values_gsl, only: gsl_values
    use kyvadlo_bench_boost, only: boost_values
    use kyvadlo_stopwatch, only: median, nanoseconds_since
    implicit none

@@ -1,16 +1,10 @@
 !> The rows of `kyvadlo bench --functions`, what was measured once of other libraries, and how a row is printed.
 module kyvadlo_bench_rows
    use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_function_ids
    implicit none
    private
-   public :: row_type, rows, by_modulus, print_head, print_row, points, set_ups
-
-   !> Calls a pass, and parameters in it where a set-up is used for many arguments.
-   integer, parameter :: points = 2000, set_ups = 20
-
-   integer, parameter, public :: id_rc = 1, id_rf = 2, id_rd = 3, id_rj = 4, id_rg = 5, id_k = 6, id_kc = 7, &
-      id_e = 8, id_d = 9, id_b = 10, id_nome = 11, id_pi = 12, id_f = 13, id_einc = 14, id_dinc = 15, id_piinc = 16, &
-      id_zeta = 17, id_lambda = 18, id_jacobi = 19, id_jacobi_am = 20, id_jacobic = 21, id_set_up = 22, id_theta = 23
+   public :: row_type, rows, by_modulus, print_head, print_row
 
    type :: row_type
       integer :: id

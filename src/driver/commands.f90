@@ -33,7 +33,8 @@ module kyvadlo_commands
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
       command_type('simulate', 'SCENE', 'the samples of a scene: places, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
-      command_type('bench', '', 'the cost and the error of our functions beside those of other libraries')]
+      command_type('bench', '', 'the cost and the error of our functions beside those of other libraries'), &
+      command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit')]
 
    type(option_type), parameter :: options(*) = [ &
       option_type('table', '--divisions', 'N', 'every quantity at the N+1 times that divide the period'), &
@@ -63,6 +64,9 @@ module kyvadlo_commands
       option_type('bench', '--motion', '', 'places, velocities, periods and set-up'), &
       option_type('bench', '--accuracy', '', 'places to a stated accuracy'), &
       option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
+      option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
+      option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &
+      option_type('study', '--seconds', 'S', 'measure every point for S seconds (default 0.02, with --quick 0.002)'), &
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &
       option_type('-', '--manual-page', '', 'print the manual page, for man'), &
@@ -84,7 +88,11 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
       example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost'), &
       example_type('bench', 'kyvadlo bench --motion', 'the motion beside two sines and a division'), &
-      example_type('bench', 'kyvadlo bench --accuracy', 'what an accuracy of 1e-6 saves')]
+      example_type('bench', 'kyvadlo bench --accuracy', 'what an accuracy of 1e-6 saves'), &
+      example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
+      example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
+      example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &
+         'for pendulums of your own')]
 
    type(explanation_type), parameter :: explanations(*) = [ &
       explanation_type('table', &
@@ -107,6 +115,12 @@ module kyvadlo_commands
       explanation_type('bench', &
          'Medians of several passes, all columns of a row measured in turn, in units of a scalar sine'), &
       explanation_type('bench', &
-         'measured beside. GSL and Boost are measured live where this build found them.')]
+         'measured beside. GSL and Boost are measured live where this build found them.'), &
+      explanation_type('study', &
+         'Positions, periods, turning heights and elliptic functions by our closed form and by what else'), &
+      explanation_type('study', &
+         'there is, of built-in orbits against stored values, or of SCENE against our real128 path.'), &
+      explanation_type('study', &
+         'study.csv: question, orbit, method, setting, kind, error, nanoseconds a result, evaluations.')]
 
 end module kyvadlo_commands

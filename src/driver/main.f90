@@ -10,6 +10,7 @@ program kyvadlo_main
    use kyvadlo_simulate_command, only: simulate_command
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
    use kyvadlo_status, only: code_file, code_input, error_type, fail
+   use kyvadlo_study_command, only: study_command
    use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
    implicit none
@@ -54,6 +55,8 @@ contains
                call simulate_command(arguments, error)
             case ('bench')
                call bench_command(arguments, error)
+            case ('study')
+               call study_command(arguments, error)
             case default
                call message('kyvadlo: no command; kyvadlo --help lists them')
                status = 2

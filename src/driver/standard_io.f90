@@ -11,7 +11,7 @@ module kyvadlo_standard_io
    private
    public :: output_type, open_output, close_output, discard_output, flush_output, has_failed, is_on_terminal
    public :: input_type, read_line
-   public :: end_program, is_terminal, message, set_signals
+   public :: end_program, is_terminal, make_folder, message, set_signals
 
    integer, parameter :: buffer_size = 65536
    integer, parameter :: standard_output = 1
@@ -67,6 +67,11 @@ module kyvadlo_standard_io
          integer(c_int), value :: descriptor
          integer(c_int) :: status
       end function kyvadlo_finish_file
+      function kyvadlo_make_folder(path) bind(c) result(status)
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int) :: status
+      end function kyvadlo_make_folder
       subroutine kyvadlo_discard_file(descriptor) bind(c)
          import :: c_int
          integer(c_int), value :: descriptor
@@ -111,6 +116,16 @@ contains
 
       write (error_unit, '(a)') text
    end subroutine message
+
+   !> Makes a folder, unless it is there already; the folder it lies in must be there.
+   subroutine make_folder(path, error)
+      character(len=*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+      integer(c_int) :: status
+
+      status = kyvadlo_make_folder(path//c_null_char)
+      if (status /= 0) call fail(error, code_file, 'cannot make the folder '//path//': '//system_words(status))
+   end subroutine make_folder
 
    !> Opens standard output (no path, or `-`) or a file. The file gets its name only in `close_output`.
    subroutine open_output(output, path, error)

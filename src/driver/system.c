@@ -137,6 +137,18 @@ void kyvadlo_discard_file(int descriptor)
    }
 }
 
+/* Makes a folder, or finds it there and writable; 0 or errno. */
+int kyvadlo_make_folder(const char *path)
+{
+   struct stat old;
+
+   if (mkdir(path, 0777) == 0) return 0;
+   if (errno != EEXIST) return errno;
+   if (stat(path, &old) != 0) return errno;
+   if (!S_ISDIR(old.st_mode)) return ENOTDIR;
+   return access(path, W_OK | X_OK) == 0 ? 0 : errno;
+}
+
 /* The system's words for an errno, as a string of at most `size` bytes with its NUL. */
 void kyvadlo_describe(int number, char *text, int size)
 {

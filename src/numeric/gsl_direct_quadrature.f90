@@ -5,14 +5,14 @@ module kyvadlo_gsl_quadrature
    private
    public :: fgsl_function, fgsl_function_init, fgsl_function_free
    public :: fgsl_integration_workspace, fgsl_integration_workspace_alloc, fgsl_integration_workspace_free
-   public :: fgsl_integration_qag, fgsl_integ_gauss61
+   public :: fgsl_integration_qag, fgsl_integ_gauss15, fgsl_integ_gauss61
    public :: fgsl_integration_cquad_workspace, fgsl_integration_cquad_workspace_alloc
    public :: fgsl_integration_cquad_workspace_free, fgsl_integration_cquad
    public :: fgsl_integration_glfixed_table, fgsl_integration_glfixed_table_alloc, fgsl_integration_glfixed_table_free
    public :: fgsl_integration_glfixed, fgsl_integration_glfixed_point
 
-   !> The 61-point Gauss-Kronrod rule for fgsl_integration_qag.
-   integer(c_int), parameter :: fgsl_integ_gauss61 = 6
+   !> The 15-point and the 61-point Gauss-Kronrod rule for fgsl_integration_qag.
+   integer(c_int), parameter :: fgsl_integ_gauss15 = 1, fgsl_integ_gauss61 = 6
 
    !> C's gsl_function.
    type, bind(c) :: gsl_function_type

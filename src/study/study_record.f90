@@ -147,7 +147,7 @@ contains
             if (.not. ieee_is_finite(samples(i))) new%outcome = failed
          end do
       end if
-      study%checksum = study%checksum + work%sink
+      if (ieee_is_finite(work%sink)) study%checksum = study%checksum + work%sink
       work%sink = 0
       call add_cell(study, new)
    end subroutine measure

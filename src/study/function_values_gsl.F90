@@ -1,7 +1,7 @@
-!> GSL's side of `kyvadlo bench --functions`; without GSL it has no function.
-module kyvadlo_bench_gsl
+!> The elliptic functions by GSL, for `kyvadlo bench` and `kyvadlo study`; without GSL it has no function.
+module kyvadlo_function_values_gsl
    use, intrinsic :: iso_fortran_env, only: real64
-   use kyvadlo_bench_rows
+   use kyvadlo_function_ids
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_gsl
 #endif
@@ -84,4 +84,4 @@ contains
 #endif
    end subroutine gsl_values
 
-end module kyvadlo_bench_gsl
+end module kyvadlo_function_values_gsl

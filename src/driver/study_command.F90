@@ -1,0 +1,235 @@
+!> The command `study`: asks every question of every orbit, prints the summary and writes record and pictures.
+module kyvadlo_study_command
+   use, intrinsic :: iso_fortran_env, only: error_unit, real64
+   use kyvadlo_command_line, only: arguments_type, option_given, option_value
+   use kyvadlo_number_text, only: read_number
+   use kyvadlo_scene, only: pendulum_type_real128
+   use kyvadlo_scene_reader, only: read_scene
+   use kyvadlo_standard_io, only: close_output, discard_output, is_terminal, make_folder, message, open_output, output_type
+   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_study_csv, only: write_csv, write_machine
+   use kyvadlo_study_functions, only: ask_functions
+   use kyvadlo_study_orbits, only: built_in_orbits, orbit_from_pendulum, study_orbit_type
+   use kyvadlo_study_period, only: ask_period
+   use kyvadlo_study_plots, only: write_plot
+   use kyvadlo_study_position, only: study_position
+   use kyvadlo_study_record, only: cell_type, study_type
+   use kyvadlo_study_roots, only: ask_roots, built_in_cubics, cubic_of_orbit, study_cubic_type
+   use kyvadlo_study_summary, only: names_in, write_summary
+   use kyvadlo_text, only: shown, text_type
+#ifdef KYVADLO_WITH_GSL
+   use kyvadlo_gsl, only: fgsl_error_handler_t, fgsl_set_error_handler_off
+#endif
+   implicit none
+   private
+   public :: study_command
+
+   !> Seconds of measuring a cell, and the longest pass: `--quick` stays under 20 s, the full study under 5 minutes, on two cores of
+   !> a common server (doc/accuracy.md says how long it took).
+   real(real64), parameter :: quick_seconds = 0.002_real64, quick_cap = 0.03_real64
+   real(real64), parameter :: full_seconds = 0.02_real64, full_cap = 0.4_real64
+
+contains
+
+   !> Runs the command. On failure no file has been written.
+   subroutine study_command(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      type(study_type) :: study
+      type(study_orbit_type), allocatable :: orbits(:)
+      type(study_cubic_type), allocatable :: cubics(:)
+      type(output_type) :: output
+      character(len=:), allocatable :: folder
+      integer :: i
+#ifdef KYVADLO_WITH_GSL
+      type(fgsl_error_handler_t) :: old
+
+      old = fgsl_set_error_handler_off()
+#endif
+      study%quick = option_given(arguments, '--quick')
+      study%seconds = merge(quick_seconds, full_seconds, study%quick)
+      study%cap = merge(quick_cap, full_cap, study%quick)
+      call seconds_option(arguments, study, error)
+      if (allocated(error)) return
+      call read_orbits(arguments, orbits, cubics, error)
+      if (allocated(error)) return
+      folder = ''
+      if (option_given(arguments, '--output')) then
+         folder = option_value(arguments, '--output', '')
+         call make_folder(folder, error)
+         if (allocated(error)) return
+      end if
+      if (is_terminal(2)) study%progress => show_progress
+
+      do i = 1, size(orbits)
+         call study_position(study, orbits(i))
+      end do
+      do i = 1, size(orbits)
+         call ask_period(study, orbits(i))
+      end do
+      do i = 1, size(cubics)
+         call ask_roots(study, cubics(i))
+      end do
+      if (size(arguments%operands) == 0) call ask_functions(study)
+      if (is_terminal(2)) write (error_unit, '(a)', advance='no') achar(13)//repeat(' ', 78)//achar(13)
+
+      if (folder /= '') then
+         call write_files(study, folder, size(arguments%operands) > 0, error)
+         if (allocated(error)) return
+      end if
+      call open_output(output, '', error)
+      if (allocated(error)) return
+      call write_machine('', output)
+#ifndef KYVADLO_WITH_GSL
+      call output%put('This build has no GSL: its methods and LAPACK''s are left out.')
+#endif
+      call output%put('')
+      call write_summary(study, output)
+      call put_checksum(study, output)
+      call close_output(output, error)
+   end subroutine study_command
+
+   !> `--seconds S`: of measuring each cell, with a cap in proportion.
+   subroutine seconds_option(arguments, study, error)
+      type(arguments_type), intent(in) :: arguments
+      type(study_type), intent(inout) :: study
+      type(error_type), allocatable, intent(out) :: error
+      real(real64), parameter :: longest = 60
+      real(real64) :: seconds
+      character(len=:), allocatable :: what, text
+
+      if (.not. option_given(arguments, '--seconds')) return
+      text = option_value(arguments, '--seconds', '')
+      call read_number(text, seconds, what)
+      if (.not. allocated(what)) then
+         if (.not. (seconds > 0 .and. seconds <= longest)) what = 'more than 0, 60 at most'
+      end if
+      if (allocated(what)) then
+         call fail(error, code_input, "option --seconds must be a number of seconds, got '"//shown(text)//"' ("//what//')')
+         return
+      end if
+      study%cap = max(study%cap, 5*seconds)
+      study%seconds = seconds
+   end subroutine seconds_option
+
+   !> The pendulums of the scenes named, or the built-in orbits.
+   subroutine read_orbits(arguments, orbits, cubics, error)
+      type(arguments_type), intent(in) :: arguments
+      type(study_orbit_type), allocatable, intent(out) :: orbits(:)
+      type(study_cubic_type), allocatable, intent(out) :: cubics(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(pendulum_type_real128), allocatable :: pendulums(:)
+      type(study_orbit_type) :: orbit
+      type(study_cubic_type) :: cubic
+      logical :: has_failed
+      integer :: i, j
+
+      if (size(arguments%operands) == 0) then
+         call built_in_orbits(orbits)
+         call built_in_cubics(cubics)
+         return
+      end if
+      allocate (orbits(0), cubics(0))
+      do i = 1, size(arguments%operands)
+         call read_scene(arguments%operands(i)%text, pendulums, error)
+         if (allocated(error)) return
+         do j = 1, size(pendulums)
+            call orbit_from_pendulum(pendulums(j), orbit, error)
+            if (allocated(error)) return
+            if (any(orbits%name == orbit%name)) then
+               call fail(error, code_input, "study: two pendulums are named '"//trim(orbit%name)//"'")
+               return
+            end if
+            orbits = [orbits, orbit]
+            call cubic_of_orbit(orbit, cubic, has_failed)
+            if (.not. has_failed) cubics = [cubics, cubic]
+         end do
+      end do
+   end subroutine read_orbits
+
+   !> study.csv, and for each question a script of gnuplot, drawn if there is gnuplot.
+   subroutine write_files(study, folder, has_own_orbits, error)
+      type(study_type), intent(in) :: study
+      character(len=*), intent(in) :: folder
+      logical, intent(in) :: has_own_orbits
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), allocatable :: questions(:)
+      type(output_type) :: output
+      integer :: i
+
+      call open_output(output, folder//'/study.csv', error)
+      if (allocated(error)) return
+      call write_csv(study, has_own_orbits, output)
+      call close_output(output, error)
+      if (allocated(error)) return
+      call names_in(study, 'question', '', questions)
+      do i = 1, size(questions)
+         call open_output(output, folder//'/study_'//questions(i)%text//'.gp', error)
+         if (allocated(error)) return
+         call write_plot(study, questions(i)%text, output)
+         call close_output(output, error)
+         if (allocated(error)) return
+         call draw(folder, 'study_'//questions(i)%text)
+      end do
+   end subroutine write_files
+
+   !> Lets gnuplot draw a picture under another name, which it then gives up for its own.
+   subroutine draw(folder, name)
+      character(len=*), intent(in) :: folder, name
+      integer :: status, command_status
+      integer, parameter :: no_program = 127  ! of a shell that finds no such command
+
+      call execute_command_line('cd '//shell_word(folder)//' && { command -v gnuplot >/dev/null || exit 127; } && '// &
+         "gnuplot -e ""before='.part.'"" "//name//'.gp && mv .part.'//name//'.svg '//name//'.svg && mv .part.'//name//'.png '// &
+         name//'.png', exitstat=status, cmdstat=command_status)
+      if (command_status /= 0 .or. status == no_program) then
+         call message('kyvadlo: no gnuplot here; where there is: gnuplot '//name//'.gp')
+      else if (status /= 0) then
+         call message('kyvadlo: gnuplot could not draw '//name//'.gp')
+         call execute_command_line('cd '//shell_word(folder)//' && rm -f .part.'//name//'.svg .part.'//name//'.png', &
+            exitstat=status, cmdstat=command_status)
+      end if
+   end subroutine draw
+
+   !> A word that the shell takes as it is.
+   pure function shell_word(text) result(word)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: word
+      integer :: i
+
+      ! A folder that begins with a dash is no option.
+      word = "'"
+      if (text(:1) == '-') word = "'./"
+      do i = 1, len(text)
+         if (text(i:i) == "'") then
+            word = word//"'\''"
+         else
+            word = word//text(i:i)
+         end if
+      end do
+      word = word//"'"
+   end function shell_word
+
+   !> What is being measured, on the same line of the terminal.
+   subroutine show_progress(count, cell)
+      integer, intent(in) :: count
+      type(cell_type), intent(in) :: cell
+      character(len=78) :: line
+
+      write (line, '(i5,9a)') count + 1, '  ', trim(cell%question), '  ', trim(cell%orbit), '  ', trim(cell%method), ' ', &
+         trim(cell%setting), ' '//trim(cell%kind)
+      write (error_unit, '(2a)', advance='no') achar(13), line
+      flush (error_unit)
+   end subroutine show_progress
+
+   !> So that nothing measured can have been left out.
+   subroutine put_checksum(study, output)
+      type(study_type), intent(in) :: study
+      type(output_type), intent(inout) :: output
+      character(len=80) :: line
+
+      write (line, '(a,es22.15)') 'Sum of what was computed: ', study%checksum
+      call output%put(trim(line))
+   end subroutine put_checksum
+
+end module kyvadlo_study_command

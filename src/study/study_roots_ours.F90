@@ -1,0 +1,26 @@
+!> Turning heights and gaps by this library, in three kinds, for `kyvadlo study`.
+module kyvadlo_study_roots_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use kyvadlo, only: orbit_type => orbit_type_real32
+#include "study_roots_ours.inc"
+end module kyvadlo_study_roots_real32
+
+module kyvadlo_study_roots_real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use kyvadlo, only: orbit_type
+#include "study_roots_ours.inc"
+end module kyvadlo_study_roots_real64
+
+module kyvadlo_study_roots_real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use kyvadlo, only: orbit_type => orbit_type_real128
+#include "study_roots_ours.inc"
+end module kyvadlo_study_roots_real128
+
+module kyvadlo_study_roots_ours
+   use kyvadlo_study_roots_real32
+   use kyvadlo_study_roots_real64
+   use kyvadlo_study_roots_real128
+   implicit none
+   public
+end module kyvadlo_study_roots_ours
