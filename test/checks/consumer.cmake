@@ -4,6 +4,8 @@
 #         -DBUILD=<built tree>                      the static or shared libraries of that tree, or
 #         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised
 #         -DDPKG_DEB=<program> [-DSHLIBDEPS=<...>]  what the Debian package would install, unpacked  -P consumer.cmake
+cmake_minimum_required(VERSION 3.25)
+
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -98,7 +100,24 @@ if(SHARED AND NM)
     if(strange OR count LESS 4)
       message(FATAL_ERROR "lib${name}.so shows ${count} symbols, and should not show: ${strange}")
     endif()
+    list(TRANSFORM symbols STRIP)
+    list(APPEND all_symbols ${symbols})
   endforeach()
+endif()
+
+# And all that kyvadlo.h declares is there.
+if(SHARED AND NM)
+  string(REGEX MATCHALL "[ *]kyvadlo_[a-z0-9_]+\\(" declared "${header}")
+  list(LENGTH declared count)
+  foreach(name IN LISTS declared)
+    string(REGEX REPLACE "[ *(]" "" name "${name}")
+    if(NOT name IN_LIST all_symbols)
+      message(FATAL_ERROR "kyvadlo.h declares ${name}, which no library defines")
+    endif()
+  endforeach()
+  if(count LESS 50)
+    message(FATAL_ERROR "only ${count} functions found in kyvadlo.h")
+  endif()
 endif()
 
 # A SONAME of the major version, and the link that a linker looks for.
