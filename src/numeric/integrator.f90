@@ -104,7 +104,7 @@ contains
       run%unit_length = length
       run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
          0.0_wp, forces%has_drag) + pivot_speed(effects)**2)
-      run%contact%unit_speed = run%unit_speed
+      run%contact%unit_speed = sqrt(gravity*length)
       is_taut = .true.
       call stretch(forces%suspension, p, v, distance, outward, bending)
       call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers(1), powers(2))
