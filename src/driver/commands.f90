@@ -53,9 +53,11 @@ module kyvadlo_commands
       option_type('simulate', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
       option_type('simulate', '--events', 'FILE', &
          'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
+      option_type('simulate', '--plot', 'FILE', &
+         'draw FILE, .svg or .png, by gnuplot; its script and data stand beside, .gp and .dat'), &
       option_type('simulate', '--explain', '', &
          'first say which path was chosen, why, and what it will cost (standard error)'), &
-      option_type('simulate', '--accuracy', 'A', 'of an integrated scene: error of a step (default 1e-12)'), &
+      option_type('simulate', '--accuracy', 'A', 'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
       option_type('simulate', '--check', '', &
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &

@@ -4,6 +4,8 @@ module kyvadlo_simulate_command
    use kyvadlo_explain_scene, only: explain_scene
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text, read_number
+   use kyvadlo_plot_samples, only: discard_plot, finish_plot, new_plot, plot_samples_type
+   use kyvadlo_quantities, only: quantities, quantity_position
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: read_simulation, simulation_type
@@ -50,9 +52,10 @@ contains
          allocate (accuracy)
          text = option_value(arguments, '--accuracy', '')
          call read_number(text, accuracy, what)
-         if (.not. allocated(what) .and. .not. (accuracy >= 1e-15_wp .and. accuracy <= 0.1_wp)) what = 'out of range'
+         ! How fine it may be, depends on the path.
+         if (.not. allocated(what) .and. .not. (accuracy > 0 .and. accuracy <= 0.1_wp)) what = 'out of range'
          if (allocated(what)) then
-            call fail(error, code_input, "option --accuracy must be a number, 1e-15 to 0.1, got '"//shown(text)//"' (" &
+            call fail(error, code_input, "option --accuracy must be a number above 0, at most 0.1, got '"//shown(text)//"' (" &
                //what//')')
             return
          end if
@@ -73,13 +76,21 @@ contains
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
+      type(simulation_type) :: wanted
       type(output_type), target :: output, events
       type(csv_samples_type), target :: samples
+      type(plot_samples_type), target :: plot
       type(watched_samples_type) :: watch
       type(check_type), allocatable :: check
-      logical :: has_events
+      logical :: has_events, has_plot
+      integer :: columns
 
       has_events = option_given(arguments, '--events')
+      has_plot = option_given(arguments, '--plot')
+      wanted = simulation
+      columns = 1 + sum(quantities(simulation%settings%quantities)%columns)
+      if (has_plot .and. all(simulation%settings%quantities /= quantity_position)) &
+         wanted%settings%quantities = [simulation%settings%quantities, quantity_position]
       call open_output(output, option_value(arguments, '--output', ''), error)
       if (allocated(error)) return
       if (has_events) call open_output(events, option_value(arguments, '--events', ''), error)
@@ -87,29 +98,41 @@ contains
          call discard_output(output)
          return
       end if
-      if (has_events) then
-         samples = new_csv_samples(output, events)
-      else
-         samples = new_csv_samples(output)
-      end if
-      watch = new_watch(samples, output, simulation%settings%samples)
-      if (option_given(arguments, '--check')) allocate (check)
-      call simulate(simulation, path, watch, error, check)
-      call stop_watch(watch)
+      if (has_plot) call new_plot(plot, option_value(arguments, '--plot', ''), simulation%pendulum%name, &
+         simulation%settings%samples, error)
       if (.not. allocated(error)) then
-         call close_output(output, error)
-      else
-         call discard_output(output)
-      end if
-      if (has_events) then
-         if (.not. allocated(error)) then
-            call close_output(events, error)
+         if (has_events) then
+            samples = new_csv_samples(output, events)
          else
-            call discard_output(events)
+            samples = new_csv_samples(output)
          end if
+         if (has_plot) then
+            watch = new_watch(samples, output, simulation%settings%samples, columns, plot)
+         else
+            watch = new_watch(samples, output, simulation%settings%samples, columns)
+         end if
+         if (option_given(arguments, '--check')) allocate (check)
+         call simulate(wanted, path, watch, error, check)
+         call stop_watch(watch)
+         if (has_plot .and. allocated(error)) call discard_plot(plot)
       end if
+      call finish(output, error)
+      if (has_events) call finish(events, error)
+      if (has_plot .and. .not. allocated(error)) call finish_plot(plot, error)
       if (allocated(check) .and. .not. allocated(error)) call report_check(path, check)
    end subroutine run
+
+   !> Ends a file: whole, or after an error not at all.
+   subroutine finish(output, error)
+      type(output_type), intent(inout) :: output
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (allocated(error)) then
+         call discard_output(output)
+      else
+         call close_output(output, error)
+      end if
+   end subroutine finish
 
    !> What the second run said, on standard error.
    subroutine report_check(path, check)

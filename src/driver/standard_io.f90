@@ -9,7 +9,7 @@ module kyvadlo_standard_io
    use kyvadlo_text, only: text_sink_type
    implicit none
    private
-   public :: output_type, open_output, close_output, discard_output, flush_output, has_failed, is_on_terminal
+   public :: output_type, open_output, close_output, discard_output, flush_output, has_failed, is_on_terminal, unfinished_name
    public :: input_type, read_line
    public :: end_program, is_terminal, make_folder, message, set_signals
 
@@ -72,6 +72,11 @@ module kyvadlo_standard_io
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: status
       end function kyvadlo_make_folder
+      subroutine kyvadlo_unfinished_name(descriptor, text, size) bind(c)
+         import :: c_char, c_int
+         integer(c_int), value :: descriptor, size
+         character(kind=c_char), intent(out) :: text(*)
+      end subroutine kyvadlo_unfinished_name
       subroutine kyvadlo_discard_file(descriptor) bind(c)
          import :: c_int
          integer(c_int), value :: descriptor
@@ -179,6 +184,17 @@ contains
 
       has_failed = output%status /= 0
    end function has_failed
+
+   !> The name under which a file is written until it is whole, for who opens it by name; empty for a device or pipe.
+   function unfinished_name(output) result(name)
+      type(output_type), intent(in) :: output
+      character(len=:), allocatable :: name
+      integer, parameter :: longest = 4096
+      character(kind=c_char, len=longest) :: buffer
+
+      call kyvadlo_unfinished_name(output%descriptor, buffer, int(longest, c_int))
+      name = buffer(:index(buffer, c_null_char) - 1)
+   end function unfinished_name
 
    !> Whether what is written shows on a terminal.
    logical function is_on_terminal(output)

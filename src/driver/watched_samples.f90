@@ -13,6 +13,8 @@ module kyvadlo_watched_samples
    type, extends(sample_sink_type) :: watched_samples_type
       private
       class(sample_sink_type), pointer :: samples => null()
+      class(sample_sink_type), pointer :: picture => null()  !! Not associated: none is drawn
+      integer :: columns = 0                           !! Those for `samples`; the picture may need more
       type(output_type), pointer :: output => null()
       integer(int64) :: total = 0, done = 0
       integer(int64) :: start = 0, last_line = 0       !! Counts of the clock
@@ -29,16 +31,20 @@ module kyvadlo_watched_samples
 
 contains
 
-   !> Hands on to `samples`, which writes to `output`; both must outlive the result.
-   function new_watch(samples, output, total) result(watch)
+   !> Hands on to `samples`, which writes to `output`, and to a picture; all must outlive the result.
+   function new_watch(samples, output, total, columns, picture) result(watch)
       class(sample_sink_type), intent(in), target :: samples
       type(output_type), intent(in), target :: output
       integer(int64), intent(in) :: total              !! Samples that will come
+      integer, intent(in) :: columns                   !! The first so many are those asked for
+      class(sample_sink_type), intent(in), target, optional :: picture
       type(watched_samples_type) :: watch
 
       watch%samples => samples
       watch%output => output
       watch%total = total
+      watch%columns = columns
+      if (present(picture)) watch%picture => picture
       watch%shows = is_terminal(2)
       if (is_on_terminal(output)) watch%shows = .false.
       call system_clock(watch%start)
@@ -49,7 +55,8 @@ contains
       class(watched_samples_type), intent(inout) :: sink
       type(column_type), intent(in) :: columns(:)
 
-      call sink%samples%begin(columns)
+      call sink%samples%begin(columns(:sink%columns))
+      if (associated(sink%picture)) call sink%picture%begin(columns)
    end subroutine begin_watched
 
    subroutine take_watched(sink, values, goes_on)
@@ -57,7 +64,8 @@ contains
       real(wp), intent(in) :: values(:, :)
       logical, intent(out) :: goes_on
 
-      call sink%samples%take(values, goes_on)
+      if (associated(sink%picture)) call sink%picture%take(values, goes_on)
+      call sink%samples%take(values(:, :sink%columns), goes_on)
       if (has_failed(sink%output)) goes_on = .false.
       sink%done = sink%done + size(values, 1)
       if (sink%shows) call show(sink)
@@ -68,6 +76,7 @@ contains
       type(scene_event_type), intent(in) :: event
 
       call sink%samples%note(event)
+      if (associated(sink%picture)) call sink%picture%note(event)
    end subroutine note_watched
 
    !> `  12 %  1.2e+06 samples/s  34 s left`, over the line before.

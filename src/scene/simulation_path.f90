@@ -1,6 +1,7 @@
 !> How a scene is computed: the one place where the path is chosen.
 module kyvadlo_simulation_path
    use kyvadlo
+   use kyvadlo_accuracy, only: accurate_orbit_type, choice_text, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_kinds, only: wp => real64
@@ -28,6 +29,7 @@ module kyvadlo_simulation_path
       real(wp) :: length = 0, gravity = 0       !! Of the pendulum [m], [m/s2]
       type(effects_type) :: effects
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
+      type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
       type(string_motion_type) :: string        !! Of `path_string`
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: duration = 0                  !! [s]
@@ -55,11 +57,11 @@ contains
    !>
    !> Errors: a start that determines no orbit; effects in a build without an integrator; a string with more events than
    !> `new_string_motion` follows.
-   subroutine choose_path(simulation, path, error, tolerance)
+   subroutine choose_path(simulation, path, error, accuracy)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(out) :: path
       type(error_type), allocatable, intent(out) :: error
-      real(wp), intent(in), optional :: tolerance      !! Of a step of the integrator (default 1e-12)
+      real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
       type(pendulum_type) :: pendulum
       real(wp) :: position(3), velocity(3)
 
@@ -69,7 +71,7 @@ contains
          path%length = pendulum%length
          path%gravity = simulation%pendulum%gravity
          path%tolerance = default_tolerance
-         if (present(tolerance)) path%tolerance = tolerance
+         if (present(accuracy)) path%tolerance = accuracy
          path%inertia = effective_inertia(settings%density_ratio, settings%added_mass)
          call pendulum_orbit(pendulum, path%orbit, error)
          if (allocated(error)) return
@@ -108,9 +110,29 @@ contains
             path%reason = 'no effect without a closed form is asked for'
             if (integrated_groups(simulation) /= '') path%reason = integrated_groups(simulation)//': all coefficients are zero'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
+            if (present(accuracy)) call plan_accuracy(pendulum, accuracy, path, error)
          end if
       end associate
    end subroutine choose_path
+
+   !> The cheapest evaluation that keeps an accuracy of the places throughout.
+   subroutine plan_accuracy(pendulum, accuracy, path, error)
+      type(pendulum_type), intent(in) :: pendulum
+      real(wp), intent(in) :: accuracy
+      type(path_type), intent(inout) :: path
+      type(error_type), allocatable, intent(out) :: error
+      integer :: values
+
+      values = merge(3, 1, pendulum%start == start_state)
+      allocate (path%plan)
+      call new_orbit_to_accuracy(path%plan, pendulum%start, pendulum%length, pendulum%gravity, pendulum%first(:values), &
+         pendulum%second(:values), accuracy, path%duration, error)
+      if (allocated(error)) then
+         error%message = pendulum%file//': '//error%message
+      else
+         path%method = path%method//' ('//choice_text(path%plan)//')'
+      end if
+   end subroutine plan_accuracy
 
    !> The groups without a closed form, in words.
    pure function integrated_groups(simulation) result(words)

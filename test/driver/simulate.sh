@@ -83,6 +83,18 @@ cmp -s one four || complain 'the number of threads must not matter'
 checks=$((checks + 1))
 [ "$(wc -l <four)" -eq 100001 ] || complain '100001 lines expected'
 
+# To an accuracy: places within it of those with all digits, and a word about how.
+for accuracy in 1e-3 1e-6 1e-10 1e-25; do
+   run simulate long.nml --accuracy $accuracy --output coarse --explain
+   expect_status 0
+   checks=$((checks + 1))
+   grep -q '^path: .*(real' err || complain 'the kind expected'
+   checks=$((checks + 1))
+   paste -d , four coarse | awk -F, -v a=$accuracy 'NR > 1 { d = ($2 - $9)^2 + ($3 - $10)^2 + ($4 - $11)^2
+      if (!(d <= a*a + 1e-28)) { print d; exit 1 } }' >out || complain "places off by more than $accuracy"
+done
+fails 2 'plane.nml: new_orbit_to_accuracy: need' simulate plane.nml --accuracy 1e-40
+
 # Every scene that is shipped for it. Some need an integrator; a build without one says so.
 if "$program" --version | grep -q GSL; then with_gsl=yes; else with_gsl=no; fi
 for scene in "$top"/examples/scenes/*.nml; do
@@ -214,11 +226,48 @@ if [ $with_gsl = yes ]; then
    expect_status 0
 fi
 
+# Pictures: script and data always, the picture where there is gnuplot; names with quotation marks and blanks.
+mkdir "it's a folder"
+for picture in swing.svg "it's a folder/it's a swing.svg" cone.png; do
+   case $picture in cone*) run simulate cone.nml --plot "$picture" ;; *) run simulate plane.nml --plot "$picture" ;; esac
+   expect_status 0
+   stem=${picture%.*}
+   checks=$((checks + 1))
+   { [ "$(head -n 1 "$stem.dat")" = t,x,y,z ] && grep -q 'set multiplot' "$stem.gp"; } || complain 'data and script expected'
+   if command -v gnuplot >/dev/null 2>&1; then
+      checks=$((checks + 1))
+      [ ! -s err ] || complain 'no complaint of gnuplot expected'
+      checks=$((checks + 1))
+      case $picture in
+      *.svg) [ "$(grep -c '</svg>' "$picture")" -eq 1 ] || complain 'a whole picture expected' ;;
+      *) [ "$(dd if="$picture" bs=1 skip=1 count=3 2>/dev/null)" = PNG ] || complain 'a picture expected' ;;
+      esac
+      rm "$picture"
+      (cd "$(dirname "$picture")" && gnuplot "$(basename "$stem").gp" 2>"$scratch/err")
+      checks=$((checks + 1))
+      { [ -s "$picture" ] && [ ! -s err ]; } || complain 'the script must draw by itself'
+   fi
+done
+# Asked for or not, places are drawn; of many samples some.
+run simulate plane.nml --plot swing.svg
+cp out all
+printf '%s\n' '&pendulum length=1, z_upper=0.3, z_lower=-0.8 / &output duration=9, samples=50001, quantities="energy" /' >energy.nml
+run simulate energy.nml --plot energy.svg
+checks=$((checks + 1))
+[ "$(head -n 1 out)" = t,energy ] || complain 'the columns are those asked for'
+checks=$((checks + 1))
+{ [ "$(wc -l <energy.dat)" -gt 5000 ] && [ "$(wc -l <energy.dat)" -le 10001 ]; } || complain 'up to 10000 points expected'
+env PATH=/nowhere "$program" simulate plane.nml --plot bare.svg >out 2>err
+checks=$((checks + 1))
+{ [ -s bare.gp ] && [ -s bare.dat ] && [ ! -e bare.svg ] && grep -q 'no gnuplot' err; } || complain 'a script without gnuplot expected'
+fails 2 "option --plot needs the name of a file that ends in .svg or .png, got 'swing.pdf'" simulate plane.nml --plot swing.pdf
+fails 2 'cannot write nowhere/swing.dat' simulate plane.nml --plot nowhere/swing.svg
+
 # Wrong use and wrong scenes.
 fails 2 'simulate needs one scene file, or - for standard input' simulate
 fails 2 'simulate needs one scene file' simulate plane.nml cone.nml
 fails 2 'cannot read nowhere.nml: No such file or directory' simulate nowhere.nml
-fails 2 "option --accuracy must be a number, 1e-15 to 0.1, got '1'" simulate plane.nml --accuracy 1
+fails 2 "option --accuracy must be a number above 0, at most 0.1, got '1'" simulate plane.nml --accuracy 1
 fails 2 'option --output needs the name of a file' simulate plane.nml --output ''
 fails 2 'option --events needs the name of a file' simulate plane.nml --events -
 fails 2 "unknown option '--divisions'" simulate plane.nml --divisions 3

@@ -1,0 +1,261 @@
+!> A picture of a motion, drawn by gnuplot: seen from above, height against time, the path in space. The script and its data
+!> are written beside it, with gnuplot or without.
+module kyvadlo_plot_samples
+   use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_number_text, only: digits_text
+   use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
+   use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
+   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type, unfinished_name
+   use kyvadlo_status, only: code_file, code_input, error_type, fail
+   use kyvadlo_text, only: shown
+   implicit none
+   private
+   public :: plot_samples_type, new_plot, finish_plot, discard_plot
+
+   !> Takes the samples that are drawn. It must be a target, and not be copied, between `new_plot` and its end.
+   type, extends(sample_sink_type) :: plot_samples_type
+      private
+      character(len=:), allocatable :: picture               !! File of the picture
+      character(len=:), allocatable :: stem                  !! The same without its ending
+      character(len=:), allocatable :: title
+      type(output_type) :: data
+      type(csv_samples_type) :: lines
+      integer(int64) :: seen = 0, stride = 1                 !! Of `stride` samples one is drawn
+      integer :: place = 0                                   !! Column of x
+      real(wp) :: least(4) = huge(1.0_wp), largest(4) = -huge(1.0_wp) !! Of t, x, y, z
+   contains
+      procedure :: begin => begin_plot
+      procedure :: take => take_plot
+      procedure :: note => note_plot
+   end type plot_samples_type
+
+   !> So many samples are drawn at most: the points of a large screen, some times over.
+   integer(int64), parameter :: most_drawn = 10000
+
+contains
+
+   !> Opens the data of a picture. Errors: an ending other than .svg and .png; a folder that cannot be written.
+   subroutine new_plot(plot, picture, title, samples, error)
+      type(plot_samples_type), intent(inout), target :: plot
+      character(len=*), intent(in) :: picture                !! Path ending in .svg or .png
+      character(len=*), intent(in) :: title
+      integer(int64), intent(in) :: samples                  !! That will come
+      type(error_type), allocatable, intent(out) :: error
+      integer :: length
+
+      length = len(picture)
+      if (length > 4) then
+         plot%stem = picture(:length - 4)
+         if (picture(length - 3:) /= '.svg' .and. picture(length - 3:) /= '.png') length = 0
+      else
+         length = 0
+      end if
+      if (length == 0) then
+         call fail(error, code_input, "option --plot needs the name of a file that ends in .svg or .png, got '" &
+            //shown(picture)//"'")
+         return
+      end if
+      plot%picture = picture
+      plot%title = title
+      plot%stride = max(1_int64, (samples + most_drawn - 2)/(most_drawn - 1))
+      call open_output(plot%data, plot%stem//'.dat', error)
+      if (allocated(error)) return
+      plot%lines = new_csv_samples(plot%data)
+   end subroutine new_plot
+
+   subroutine begin_plot(sink, columns)
+      class(plot_samples_type), intent(inout) :: sink
+      type(column_type), intent(in) :: columns(:)
+
+      sink%place = findloc(columns%name == 'x', .true., 1)
+      call sink%lines%begin([columns(1), columns(sink%place:sink%place + 2)])
+   end subroutine begin_plot
+
+   subroutine take_plot(sink, values, goes_on)
+      class(plot_samples_type), intent(inout) :: sink
+      real(wp), intent(in) :: values(:, :)
+      logical, intent(out) :: goes_on
+      real(wp), allocatable :: drawn(:, :)
+      integer :: first, i
+
+      goes_on = .true.
+      ! The first sample of the block whose number is a multiple of the stride.
+      first = 1 + int(modulo(-sink%seen, sink%stride))
+      sink%seen = sink%seen + size(values, 1)
+      if (first > size(values, 1)) return
+      allocate (drawn((size(values, 1) - first)/sink%stride + 1, 4))
+      drawn(:, 1) = values(first::sink%stride, 1)
+      drawn(:, 2:) = values(first::sink%stride, sink%place:sink%place + 2)
+      do i = 1, 4
+         sink%least(i) = min(sink%least(i), minval(drawn(:, i)))
+         sink%largest(i) = max(sink%largest(i), maxval(drawn(:, i)))
+      end do
+      call sink%lines%take(drawn, goes_on)
+   end subroutine take_plot
+
+   !> Events are not drawn, but their places are within the picture.
+   subroutine note_plot(sink, event)
+      class(plot_samples_type), intent(inout) :: sink
+      type(scene_event_type), intent(in) :: event
+
+      sink%least(2:) = min(sink%least(2:), event%position)
+      sink%largest(2:) = max(sink%largest(2:), event%position)
+   end subroutine note_plot
+
+   !> Gives data and script their names and draws. Without gnuplot a line on standard error says so.
+   subroutine finish_plot(plot, error)
+      type(plot_samples_type), intent(inout) :: plot
+      type(error_type), allocatable, intent(out) :: error
+      type(output_type) :: script, picture
+      character(len=:), allocatable :: unfinished, command
+      integer :: status, command_status
+
+      call close_output(plot%data, error)
+      if (.not. allocated(error)) call open_output(script, plot%stem//'.gp', error)
+      if (allocated(error)) return
+      call write_script(plot, script)
+      call close_output(script, error)
+      if (allocated(error)) return
+      call execute_command_line('command -v gnuplot >/dev/null 2>&1', exitstat=status, cmdstat=command_status)
+      if (status /= 0 .or. command_status /= 0) then
+         call message('kyvadlo: no picture, as there is no gnuplot; '//plot%stem//'.gp draws it where there is one')
+         return
+      end if
+      call open_output(picture, plot%picture, error)
+      if (allocated(error)) return
+      unfinished = unfinished_name(picture)
+      if (unfinished == '') unfinished = plot%picture   ! a device
+      command = 'gnuplot -e '//shell_word('folder='//gnuplot_text(folder_of(plot%stem))//';picture='//gnuplot_text(unfinished)) &
+         //' '//shell_word(plot%stem//'.gp')
+      call execute_command_line(command, exitstat=status, cmdstat=command_status)
+      if (status /= 0 .or. command_status /= 0) then
+         call discard_output(picture)
+         call fail(error, code_file, 'gnuplot could not draw '//plot%picture//' from '//plot%stem//'.gp')
+      else
+         call close_output(picture, error)
+      end if
+   end subroutine finish_plot
+
+   subroutine discard_plot(plot)
+      type(plot_samples_type), intent(inout) :: plot
+
+      call discard_output(plot%data)
+   end subroutine discard_plot
+
+   !> The script. Run in its folder it needs no argument.
+   subroutine write_script(plot, script)
+      type(plot_samples_type), intent(in) :: plot
+      type(output_type), intent(inout) :: script
+      character(len=:), allocatable :: name, data
+      real(wp) :: least(4), largest(4), whole, still
+
+      name = plot%picture(len(folder_of(plot%picture)) + 1:)
+      data = plot%stem(len(folder_of(plot%stem)) + 1:)//'.dat'
+      call script%put('# Written by kyvadlo simulate. In this folder: gnuplot '//data(:len(data) - 4)//'.gp')
+      call script%put('if (!exists("folder")) folder = ''''')
+      call script%put('if (!exists("picture")) picture = '//gnuplot_text(name))
+      if (name(len(name) - 3:) == '.svg') then
+         call script%put('set terminal svg size 1000,800 font "sans,12" background "white"')
+      else
+         call script%put('if (strstrt(GPVAL_TERMINALS, "pngcairo") > 0) \')
+         call script%put('   set terminal pngcairo size 1000,800 font "sans,10"; else set terminal png size 1000,800')
+      end if
+      call script%put('set encoding utf8')
+      call script%put('set termoption noenhanced')
+      call script%put('set output picture')
+      call script%put('set datafile separator ","')
+      call script%put('data = folder.'//gnuplot_text(data))
+      ! A square from above, the height in its own scale, with margins; something around what does not move.
+      least = plot%least
+      largest = plot%largest
+      whole = maxval(largest(2:3) - least(2:3))
+      still = 1e-9_wp*max(maxval(abs(least(2:))), maxval(abs(largest(2:))))
+      if (.not. whole > still) whole = max(1e9_wp*still, tiny(whole))
+      call widen(least(2), largest(2), whole)
+      call widen(least(3), largest(3), whole)
+      if (largest(4) - least(4) > still) whole = largest(4) - least(4)
+      call widen(least(4), largest(4), whole)
+      call script%put('set multiplot title '//gnuplot_text(plot%title))
+      call script%put('unset key')
+      call script%put('set grid')
+      call script%put('# seen from above')
+      call script%put('set origin 0, 0.45; set size 0.5, 0.5; set size ratio -1')
+      call script%put('set xlabel "x [m]"; set ylabel "y [m]"')
+      call script%put('set xrange '//interval(2)//'; set yrange '//interval(3))
+      call script%put('plot data using 2:3 skip 1 with lines')
+      call script%put('# height')
+      call script%put('set origin 0.5, 0.45; set size noratio; set size 0.5, 0.5')
+      call script%put('set xlabel "t [s]"; set ylabel "z [m]"')
+      call script%put('set xrange '//interval(1)//'; set yrange '//interval(4))
+      call script%put('plot data using 1:4 skip 1 with lines')
+      call script%put('# in space')
+      call script%put('set origin 0.1, -0.03; set size 0.8, 0.55')
+      call script%put('set xlabel "x [m]"; set ylabel "y [m]"; set zlabel "z [m]"')
+      call script%put('set xrange '//interval(2)//'; set yrange '//interval(3)//'; set zrange '//interval(4))
+      call script%put('set view 65, 30, 1.1; set xyplane relative 0; set xtics offset 0, -0.5')
+      call script%put('splot data using 2:3:4 skip 1 with lines')
+      call script%put('unset multiplot')
+
+   contains
+
+      function interval(i)
+         integer, intent(in) :: i
+         character(len=:), allocatable :: interval
+
+         interval = '['//digits_text(least(i), 12)//':'//digits_text(largest(i), 12)//']'
+      end function interval
+   end subroutine write_script
+
+   !> To an extent, and a twentieth of it on both sides.
+   pure subroutine widen(least, largest, extent)
+      real(wp), intent(inout) :: least, largest
+      real(wp), intent(in) :: extent
+      real(wp) :: centre
+
+      centre = least + (largest - least)/2
+      least = centre - 0.55_wp*extent
+      largest = centre + 0.55_wp*extent
+   end subroutine widen
+
+   !> The folder of a path, with its slash; empty if there is none.
+   pure function folder_of(path) result(folder)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: folder
+
+      folder = path(:index(path, '/', back=.true.))
+   end function folder_of
+
+   !> A text of gnuplot: between single quotation marks, which are doubled inside.
+   pure function gnuplot_text(text) result(quoted)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+
+      quoted = ''''//replaced(text, '''''')//''''
+   end function gnuplot_text
+
+   !> A word of the shell.
+   pure function shell_word(text) result(quoted)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+
+      quoted = ''''//replaced(text, '''\''''')//''''
+   end function shell_word
+
+   !> Every single quotation mark replaced.
+   pure function replaced(text, by) result(new)
+      character(len=*), intent(in) :: text, by
+      character(len=:), allocatable :: new
+      integer :: i
+
+      new = ''
+      do i = 1, len(text)
+         if (text(i:i) == '''') then
+            new = new//by
+         else
+            new = new//text(i:i)
+         end if
+      end do
+   end function replaced
+
+end module kyvadlo_plot_samples
