@@ -27,7 +27,7 @@ module kyvadlo_accuracy
    implicit none
    private
    public :: accurate_orbit_type, new_orbit_to_accuracy, locate_batch, height_period
-   public :: finest_double, finest_quad, coarsest_accuracy, choice_text
+   public :: finest_double, finest_quad, coarsest_accuracy, choice_text, kind_text
 
    !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are promised.
    real(real64), parameter :: finest_double = 16*epsilon(1.0_real64)
@@ -414,6 +414,16 @@ contains
          end if
       end associate
    end function choice_text
+
+   !> The kind that computes the places.
+   pure function kind_text(plan) result(name)
+      type(accurate_orbit_type), intent(in) :: plan
+      character(len=:), allocatable :: name
+
+      name = 'real64'
+      if (grade_is_narrow(plan%orbit%kernel%grade)) name = 'real32'
+      if (allocated(plan%wide)) name = 'real128'
+   end function kind_text
 
    !> A number in a message.
    pure function text(number)

@@ -1,5 +1,6 @@
 !> The question where the bob is, put to every method that knows: in the first period, and in the 1000th.
 module kyvadlo_study_position
+   use kyvadlo_study_accuracy, only: ask_accuracies
    use kyvadlo_study_by_point, only: ask_jacobi_series, ask_carlson_point, ask_small_angle
    use kyvadlo_study_closed_real32, only: ask_closed_form_real32 => ask_closed_form
    use kyvadlo_study_closed_real64, only: ask_closed_form, ask_theta_terms
@@ -26,6 +27,7 @@ contains
          call ask_closed_form_real32(study, orbit, span)
          call ask_closed_form(study, orbit, span)
          call ask_closed_form_real128(study, orbit, span)
+         call ask_accuracies(study, orbit, span)
          call ask_theta_terms(study, orbit, span, 1)
          ! Up to four terms both kinds differ in their time only.
          call ask_theta_terms_real128(study, orbit, span, 4)

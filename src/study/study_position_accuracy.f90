@@ -1,0 +1,86 @@
+!> The position question put to the closed form with a stated accuracy: is it kept, and what does it save?
+module kyvadlo_study_accuracy
+   use, intrinsic :: iso_fortran_env, only: real64, real128
+   use kyvadlo, only: accurate_orbit_type, error_type, finest_double, kind_text, locate_batch, new_orbit_to_accuracy, &
+      start_gaps, start_rises
+   use kyvadlo_study_orbits, only: study_orbit_type, n_times
+   use kyvadlo_study_places, only: places_type, ask, farthest
+   use kyvadlo_study_record, only: study_type
+   implicit none
+   private
+   public :: ask_accuracies, accuracies
+
+   !> What is asked for, and what it is called; a quick study asks for every second one.
+   real(real64), parameter :: accuracies(7) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, 1e-20_real64, &
+      1e-30_real64]
+   character(len=5), parameter :: names(7) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', '1e-20', '1e-30']
+
+   type, extends(places_type) :: accurate_type
+      type(accurate_orbit_type) :: orbit
+      real(real64) :: accuracy = 0
+      logical :: is_set_up = .false.     !! The orbit is given: the set-up is not counted
+      real(real64), dimension(n_times) :: x = 0, y = 0, z = 0
+      real(real128), dimension(n_times) :: x_wide = 0, y_wide = 0, z_wide = 0
+   contains
+      procedure :: pass => accurate_pass
+      procedure :: error => accurate_error
+   end type accurate_type
+
+contains
+
+   !> Cells of the method `closed_form`, settings `accuracy 1e-6` (set-up counted) and `to 1e-6 after set-up`. The span is that of
+   !> the times asked for; the kind is what was chosen.
+   subroutine ask_accuracies(study, orbit, span)
+      type(study_type), intent(inout) :: study
+      type(study_orbit_type), intent(in) :: orbit
+      integer, intent(in) :: span
+      type(accurate_type), allocatable :: work
+      integer :: i
+
+      allocate (work)
+      work%start = orbit%start
+      work%times = orbit%times(:, span)
+      do i = 1, size(accuracies), merge(2, 1, study%quick)
+         work%accuracy = accuracies(i)
+         call set_up(work)
+         work%is_set_up = .false.
+         call ask(study, work, orbit, span, 'closed_form', 'accuracy '//trim(names(i)), kind_text(work%orbit))
+         work%is_set_up = .true.
+         call ask(study, work, orbit, span, 'closed_form', 'to '//trim(names(i))//' after set-up', kind_text(work%orbit))
+      end do
+   end subroutine ask_accuracies
+
+   subroutine accurate_pass(work)
+      class(accurate_type), intent(inout) :: work
+
+      work%evaluations = n_times
+      if (.not. work%is_set_up) call set_up(work)
+      if (work%accuracy < finest_double) then
+         call locate_batch(work%orbit, work%times, work%x_wide, work%y_wide, work%z_wide)
+         work%sink = work%sink + real(sum(work%x_wide) + sum(work%y_wide) + sum(work%z_wide), real64)
+      else
+         call locate_batch(work%orbit, work%times, work%x, work%y, work%z)
+         work%sink = work%sink + (sum(work%x) + sum(work%y) + sum(work%z))
+      end if
+   end subroutine accurate_pass
+
+   function accurate_error(work) result(error)
+      class(accurate_type), intent(in) :: work
+      real(real64) :: error
+
+      if (work%accuracy < finest_double) then
+         error = farthest(work, work%x_wide, work%y_wide, work%z_wide)
+      else
+         error = farthest(work, real(work%x, real128), real(work%y, real128), real(work%z, real128))
+      end if
+   end function accurate_error
+
+   subroutine set_up(work)
+      type(accurate_type), intent(inout) :: work
+      type(error_type), allocatable :: error
+
+      call new_orbit_to_accuracy(work%orbit, merge(start_rises, start_gaps, work%start%by_rises), work%start%length, &
+         work%start%gravity, [work%start%first], [work%start%second], work%accuracy, maxval(abs(work%times)), error)
+      work%has_failed = allocated(error)
+   end subroutine set_up
+end module kyvadlo_study_accuracy
