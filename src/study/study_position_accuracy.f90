@@ -10,7 +10,7 @@ module kyvadlo_study_accuracy
    private
    public :: ask_accuracies, accuracies
 
-   !> What is asked for, and what it is called; a quick study asks for every second one.
+   !> What is asked for, and what it is called; a quick study asks for every second one, 1e-6 first.
    real(real64), parameter :: accuracies(7) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, 1e-20_real64, &
       1e-30_real64]
    character(len=5), parameter :: names(7) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', '1e-20', '1e-30']
@@ -40,7 +40,7 @@ contains
       allocate (work)
       work%start = orbit%start
       work%times = orbit%times(:, span)
-      do i = 1, size(accuracies), merge(2, 1, study%quick)
+      do i = merge(2, 1, study%quick), size(accuracies), merge(2, 1, study%quick)
          work%accuracy = accuracies(i)
          call set_up(work)
          work%is_set_up = .false.

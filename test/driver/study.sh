@@ -140,6 +140,9 @@ grep -q '^# Orbits of scenes: errors against our real128 path' own/study.csv || 
 checks=$((checks + 1))
 [ "$(grep -c '"wide, by far",closed_form,' own/study.csv)" -ge 9 ] || complain 'closed form of the scene expected in the record'
 checks=$((checks + 1))
-awk -F, '$4 == "closed_form" && $6 == "real64" && !($7 + 0 < 1e-15)' own/study.csv | grep . && complain 'errors of the closed form'
+awk -F, '$4 == "closed_form" && $6 == "real64" && $5 !~ /1e-/ && !($7 + 0 < 1e-15)' own/study.csv | grep . && complain 'errors of the closed form'
+checks=$((checks + 1))
+awk -F, '$4 == "closed_form" && match($5, /1e-[0-9]+/) && !($7 + 0 <= substr($5, RSTART, RLENGTH) + 0)' own/study.csv | grep . &&
+   complain 'an accuracy asked for is not kept'
 
 finish
