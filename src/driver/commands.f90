@@ -50,7 +50,8 @@ module kyvadlo_commands
       option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
       option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &
       option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
-      option_type('simulate', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
+      option_type('simulate', '--output', 'FILE', &
+         'write FILE, NetCDF if it ends in .nc, instead of standard output; it appears when whole'), &
       option_type('simulate', '--events', 'FILE', &
          'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
       option_type('simulate', '--plot', 'FILE', &

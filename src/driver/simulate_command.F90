@@ -1,17 +1,21 @@
-!> The command `simulate`: one scene, its samples as CSV.
+!> The command `simulate`: one scene, its samples as CSV or NetCDF, and a picture.
 module kyvadlo_simulate_command
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_explain_scene, only: explain_scene
    use kyvadlo_kinds, only: wp => real64
+#ifdef KYVADLO_WITH_NETCDF
+   use kyvadlo_netcdf_samples, only: discard_netcdf, finish_netcdf, netcdf_samples_type, new_netcdf
+#endif
    use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_plot_samples, only: discard_plot, finish_plot, new_plot, plot_samples_type
    use kyvadlo_quantities, only: quantities, quantity_position
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
+   use kyvadlo_samples, only: sample_sink_type
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: read_simulation, simulation_type
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
-   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type
-   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, unfinished_name, output_type
+   use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_text, only: shown
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
    implicit none
@@ -66,31 +70,34 @@ contains
             return
          end if
       end do
+      if (is_netcdf_name(option_value(arguments, '--output', ''))) then
+#ifdef KYVADLO_WITH_NETCDF
+         if (option_given(arguments, '--events')) then
+            call fail(error, code_input, 'option --events: a NetCDF file has the events in it')
+            return
+         end if
+#else
+         call fail(error, code_unsupported, 'cannot write '//option_value(arguments, '--output', '') &
+            //': this build has no NetCDF-Fortran (CMake finds it at configure time)')
+         return
+#endif
+      end if
       if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
    end subroutine check_options
 
-   !> Computes and writes.
+   !> Opens the files, computes, and gives them their names when they are whole.
    subroutine run(arguments, simulation, path, error)
       type(arguments_type), intent(in) :: arguments
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
-      type(simulation_type) :: wanted
       type(output_type), target :: output, events
-      type(csv_samples_type), target :: samples
       type(plot_samples_type), target :: plot
-      type(watched_samples_type) :: watch
-      type(check_type), allocatable :: check
       logical :: has_events, has_plot
-      integer :: columns
 
       has_events = option_given(arguments, '--events')
       has_plot = option_given(arguments, '--plot')
-      wanted = simulation
-      columns = 1 + sum(quantities(simulation%settings%quantities)%columns)
-      if (has_plot .and. all(simulation%settings%quantities /= quantity_position)) &
-         wanted%settings%quantities = [simulation%settings%quantities, quantity_position]
       call open_output(output, option_value(arguments, '--output', ''), error)
       if (allocated(error)) return
       if (has_events) call open_output(events, option_value(arguments, '--events', ''), error)
@@ -101,26 +108,77 @@ contains
       if (has_plot) call new_plot(plot, option_value(arguments, '--plot', ''), simulation%pendulum%name, &
          simulation%settings%samples, error)
       if (.not. allocated(error)) then
-         if (has_events) then
-            samples = new_csv_samples(output, events)
-         else
-            samples = new_csv_samples(output)
-         end if
-         if (has_plot) then
-            watch = new_watch(samples, output, simulation%settings%samples, columns, plot)
-         else
-            watch = new_watch(samples, output, simulation%settings%samples, columns)
-         end if
-         if (option_given(arguments, '--check')) allocate (check)
-         call simulate(wanted, path, watch, error, check)
-         call stop_watch(watch)
+         call compute(arguments, simulation, path, output, events, plot, error)
          if (has_plot .and. allocated(error)) call discard_plot(plot)
       end if
       call finish(output, error)
       if (has_events) call finish(events, error)
       if (has_plot .and. .not. allocated(error)) call finish_plot(plot, error)
-      if (allocated(check) .and. .not. allocated(error)) call report_check(path, check)
    end subroutine run
+
+   !> Computes the samples and writes them.
+   subroutine compute(arguments, simulation, path, output, events, plot, error)
+      type(arguments_type), intent(in) :: arguments
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(output_type), intent(inout), target :: output
+      type(output_type), intent(inout), target :: events     !! With --events
+      type(plot_samples_type), intent(inout), target :: plot !! With --plot
+      type(error_type), allocatable, intent(out) :: error
+      type(simulation_type) :: wanted
+      type(csv_samples_type), target :: lines
+#ifdef KYVADLO_WITH_NETCDF
+      type(netcdf_samples_type), target :: netcdf
+      logical :: is_netcdf
+#endif
+      class(sample_sink_type), pointer :: samples
+      type(watched_samples_type) :: watch
+      type(check_type), allocatable :: check
+      integer :: columns
+
+      if (option_given(arguments, '--events')) then
+         lines = new_csv_samples(output, events)
+      else
+         lines = new_csv_samples(output)
+      end if
+      samples => lines
+#ifdef KYVADLO_WITH_NETCDF
+      is_netcdf = is_netcdf_name(option_value(arguments, '--output', ''))
+      if (is_netcdf) then
+         call new_netcdf(netcdf, unfinished_name(output), simulation, path%method, error)
+         if (allocated(error)) return
+         samples => netcdf
+      end if
+#endif
+      columns = 1 + sum(quantities(simulation%settings%quantities)%columns)
+      wanted = simulation
+      if (option_given(arguments, '--plot')) then
+         if (all(simulation%settings%quantities /= quantity_position)) &
+            wanted%settings%quantities = [simulation%settings%quantities, quantity_position]
+         watch = new_watch(samples, output, simulation%settings%samples, columns, plot)
+      else
+         watch = new_watch(samples, output, simulation%settings%samples, columns)
+      end if
+      if (option_given(arguments, '--check')) allocate (check)
+      call simulate(wanted, path, watch, error, check)
+      call stop_watch(watch)
+#ifdef KYVADLO_WITH_NETCDF
+      if (is_netcdf .and. .not. allocated(error)) then
+         call finish_netcdf(netcdf, error)
+      else if (is_netcdf) then
+         call discard_netcdf(netcdf)
+      end if
+#endif
+      if (allocated(check) .and. .not. allocated(error)) call report_check(path, check)
+   end subroutine compute
+
+   !> Whether a file is to be NetCDF, by its ending.
+   pure logical function is_netcdf_name(name)
+      character(len=*), intent(in) :: name
+
+      is_netcdf_name = .false.
+      if (len(name) > 3) is_netcdf_name = name(len(name) - 2:) == '.nc'
+   end function is_netcdf_name
 
    !> Ends a file: whole, or after an error not at all.
    subroutine finish(output, error)
