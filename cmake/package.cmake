@@ -1,5 +1,5 @@
 # cpack: a Debian package of what `cmake --install` installs. Its version is the project's, its dependencies are read from the
-# program and the shared libraries where dpkg-shlibdeps is installed.
+# program and the shared libraries where dpkg-shlibdeps and file are installed.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kyvadlo)
 set(CPACK_PACKAGE_CONTACT "The kyvadlo maintainers")
@@ -17,8 +17,10 @@ if(KYVADLO_WITH_GSL AND NOT BUILD_SHARED_LIBS)
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", libgsl-dev")
 endif()
 find_program(KYVADLO_SHLIBDEPS dpkg-shlibdeps)
-mark_as_advanced(KYVADLO_SHLIBDEPS)
-if(KYVADLO_SHLIBDEPS)
+find_program(KYVADLO_FILE file)   # CPack calls it before
+mark_as_advanced(KYVADLO_SHLIBDEPS KYVADLO_FILE)
+if(KYVADLO_SHLIBDEPS AND KYVADLO_FILE)
+  set(kyvadlo_package_dependencies ON)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   # The shared libraries of this very package.
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
