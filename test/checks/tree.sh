@@ -70,6 +70,11 @@ quoted=$(awk '
    inside && /^$/ && !fenced { if (!count) print FILENAME ":" from ": quotes nothing of " file; inside = 0; next }
    inside && !/^$/ { count++; if (!($0 in line)) print FILENAME ":" FNR ": not in " file ": " $0 }' README.md doc/*.md)
 [ -z "$quoted" ] || { printf 'quoted wrongly:\n%s\n' "$quoted"; breaches=$((breaches + 1)); }
+for page in README.md doc/*.md; do
+   for link in $(grep -o '](\([^)#]*\)' "$page" | sed 's/^](//' | grep -v '^https*:'); do
+      [ -e "$(dirname "$page")/$link" ] || { echo "$page: a link to $link, which is not there"; breaches=$((breaches + 1)); }
+   done
+done
 for page in doc/*.md; do
    grep -q -F "($page)" README.md || { echo "README.md does not name $page"; breaches=$((breaches + 1)); }
 done
