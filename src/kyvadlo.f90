@@ -20,7 +20,8 @@ module kyvadlo
       new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises, new_orbit_from_release, &
       new_orbit_from_energy, new_orbit_from_energy_above_top, new_orbit_from_energy_above_bottom, from_upper_turning
    use kyvadlo_state
-   use kyvadlo_start
+   use kyvadlo_start, only: new_orbit, start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
+      start_energy_above_bottom, start_release, start_state
    use kyvadlo_motion, only: height_period, modulus, complementary_modulus, quarter_period, nome, phase_rate, &
       azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, apsidal_rate, &
       orbit_energy, orbit_momentum, &

@@ -22,7 +22,7 @@ module kyvadlo_accuracy
    use kyvadlo_motion_kinds, only: motion_none
    use kyvadlo_orbit_real64, only: new_orbit_from_gaps, orbit_type
    use kyvadlo_orbit_real128, only: orbit_type_real128
-   use kyvadlo_start, only: new_orbit
+   use kyvadlo_start, only: new_orbit, new_rough_orbit
    use kyvadlo_status, only: code_domain, error_type, fail
    implicit none
    private
@@ -31,12 +31,14 @@ module kyvadlo_accuracy
 
    !> A coarser wish is taken for a mistake: 3 for 1e-3.
    real(real64), parameter :: coarsest_accuracy = 0.1_real64
+   !> For finer wishes the set-up keeps T in two parts at once; for coarser ones only if the rounding of T spoils them.
+   real(real64), parameter :: finest_rough = 1e-11_real64
    !> Points computed at a time where they must be copied.
    integer, parameter :: strip = 2**16
 
    !> An orbit and how to evaluate it. Read-only after set-up; any thread may use it.
    type :: accurate_orbit_type
-      type(orbit_type) :: orbit                            !! In double precision, for all but the places: its kernel is the chosen one
+      type(orbit_type) :: orbit                            !! In double precision; its kernel is the chosen one, its T and advance keep the accuracy
       type(orbit_type_real128), allocatable :: wide        !! Allocated if only real128 keeps the accuracy
       real(real64) :: accuracy = 0                         !! As asked for
       real(real64) :: span = 0                             !! As asked for [s]
@@ -70,10 +72,17 @@ contains
       type(error_type), allocatable, intent(out) :: error
       logical :: is_kept
 
+      is_kept = .false.
+      if (accuracy >= finest_rough) then
+         call new_rough_orbit(plan%orbit, start, length, gravity, first, second, error)
+         if (.not. allocated(error)) call begin(plan, accuracy, span, error)
+         if (.not. allocated(error)) call choose(plan, .true., is_kept)
+         if (is_kept) return
+      end if
       call new_orbit(plan%orbit, start, length, gravity, first, second, error)
       if (.not. allocated(error)) call begin(plan, accuracy, span, error)
       if (.not. allocated(error)) then
-         call choose(plan, is_kept)
+         call choose(plan, .false., is_kept)
          if (is_kept) return
          allocate (plan%wide)
          call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128), real(first, real128), &
@@ -95,7 +104,7 @@ contains
       plan%orbit = orbit
       call begin(plan, accuracy, span, error)
       if (.not. allocated(error)) then
-         call choose(plan, is_kept)
+         call choose(plan, .false., is_kept)
          if (is_kept) return
          call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &
             text(finest_double)//' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//text(accuracy)// &
@@ -121,14 +130,15 @@ contains
    end subroutine begin
 
    !> The cheapest way of double precision that keeps the accuracy by the error model.
-   pure subroutine choose(plan, is_kept)
+   pure subroutine choose(plan, is_rough, is_kept)
       type(accurate_orbit_type), intent(inout) :: plan
+      logical, intent(in) :: is_rough   !! The orbit was set up by `new_rough_orbit`
       logical, intent(out) :: is_kept
       real(real64) :: bounds(0:most_grade)
       integer :: grade
 
       plan%orbit%kernel%grade = grade_full
-      call error_bounds(plan%orbit, plan%span, bounds)
+      call error_bounds(plan%orbit, plan%span, is_rough, bounds)
       do grade = 1, most_grade
          if (.not. bounds(grade) <= plan%accuracy) cycle
          plan%bound = bounds(grade)

@@ -1,7 +1,7 @@
 !> The orbit of a spherical pendulum: everything about it that does not change with time, set up once, read by any thread.
 !>
-!> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64. The second
-!> template, `orbit_series.inc`, sets up the theta series.
+!> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64. `orbit_rates.inc`
+!> computes T and the advance, `orbit_series.inc` sets up the theta series.
 module kyvadlo_motion_kinds
    use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
    use kyvadlo_status, only:  ! for fpm, which does not look into what is included
@@ -36,6 +36,10 @@ module kyvadlo_orbit_real32
 #define highest_harmonic 2
 #define has_kernel
 #include "orbit.inc"
+#include "orbit_rates.inc"
+#define rough_rates
+#include "orbit_rates.inc"
+#undef rough_rates
 #include "orbit_series.inc"
 #include "orbit_kernel.inc"
 #undef gaps_type
@@ -51,6 +55,10 @@ module kyvadlo_orbit_real64
    use kyvadlo_gaps_real64
 #define highest_harmonic 3
 #include "orbit.inc"
+#include "orbit_rates.inc"
+#define rough_rates
+#include "orbit_rates.inc"
+#undef rough_rates
 #include "orbit_series.inc"
 #include "orbit_kernel.inc"
 #undef has_kernel
@@ -70,6 +78,10 @@ module kyvadlo_orbit_real128
 #define harmonics_type harmonics_type_real128
 #define highest_harmonic 5
 #include "orbit.inc"
+#include "orbit_rates.inc"
+#define rough_rates
+#include "orbit_rates.inc"
+#undef rough_rates
 #include "orbit_series.inc"
 #undef gaps_type
 #undef orbit_type

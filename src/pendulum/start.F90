@@ -17,6 +17,9 @@ end module kyvadlo_start_kinds
 #define orbit_type orbit_type_real32
 module kyvadlo_start_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
+   use kyvadlo_gaps_real32, only: gaps_type => gaps_type_real32, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
+      gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
+   use kyvadlo_orbit_real32, only: set_up
    use kyvadlo_orbit, only:  ! for fpm, which does not look into what is included
    use kyvadlo_state, only:  ! for fpm, which does not look into what is included
 #include "start.inc"
@@ -25,12 +28,18 @@ end module kyvadlo_start_real32
 
 module kyvadlo_start_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
+   use kyvadlo_gaps_real64, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, gaps_from_energy, &
+      energy_is_total, energy_is_above_top, energy_is_above_bottom
+   use kyvadlo_orbit_real64, only: set_up
 #include "start.inc"
 end module kyvadlo_start_real64
 
 #define orbit_type orbit_type_real128
 module kyvadlo_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
+   use kyvadlo_gaps_real128, only: gaps_type => gaps_type_real128, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
+      gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
+   use kyvadlo_orbit_real128, only: set_up
 #include "start.inc"
 end module kyvadlo_start_real128
 #undef orbit_type
