@@ -38,7 +38,7 @@ module kyvadlo_accuracy
 
    !> An orbit and how to evaluate it. Read-only after set-up; any thread may use it.
    type :: accurate_orbit_type
-      type(orbit_type) :: orbit                            !! In double precision; its kernel is the chosen one, its T and advance keep the accuracy
+      type(orbit_type) :: orbit                            !! In double precision: kernel, T and advance to the accuracy
       type(orbit_type_real128), allocatable :: wide        !! Allocated if only real128 keeps the accuracy
       real(real64) :: accuracy = 0                         !! As asked for
       real(real64) :: span = 0                             !! As asked for [s]
