@@ -45,7 +45,11 @@ module kyvadlo_batch_real128
 
       if (level < 0) return
       do i = 1, n
-         call locate(orbit, time(i), position, velocity)
+         if (present(vx)) then
+            call locate(orbit, time(i), position, velocity)
+         else
+            call locate(orbit, time(i), position)
+         end if
          x(i) = position(1)
          y(i) = position(2)
          z(i) = position(3)
