@@ -11,11 +11,11 @@ module kyvadlo_forces
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_effects, only: effects_type, check_effects, has_drag, has_moving_pivot
    use kyvadlo_buoyancy, only: effective_inertia, effective_weight
-   use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_pivot, only: pivot_motion, pivot_rates
    use kyvadlo_suspension, only: suspension_type, new_suspension, stretch
    implicit none
    private
-   public :: forces_type, new_forces, move, applied_acceleration, mechanical_energy
+   public :: forces_type, new_forces, move, mechanical_energy
 
    !> Effects with what follows from them; the flags tell which terms are evaluated at all.
    type :: forces_type
@@ -55,86 +55,101 @@ contains
       call new_suspension(forces%suspension, length, effects%extra_length)
    end subroutine new_forces
 
-   !> Everything that follows from a state.
-   pure subroutine move(forces, is_taut, time, position, velocity, acceleration, tension, drag_power, pivot_power)
+   !> Everything that follows from a state. The innermost procedure of an integration: scalars, and every effect in its place.
+   pure subroutine move(forces, is_taut, time, position, velocity, acceleration, tension, powers)
       type(forces_type), intent(in) :: forces
       logical, intent(in) :: is_taut               !! The rod or string acts; where not, the bob flies
       real(wp), intent(in) :: time                 !! [s]
       real(wp), intent(in) :: position(3), velocity(3) !! Relative to the pivot [m], [m/s]
       real(wp), intent(out) :: acceleration(3)     !! Relative to the pivot [m/s2]
       real(wp), intent(out) :: tension             !! Of rod or string, per mass of the bob [m/s2]
-      real(wp), intent(out) :: drag_power          !! Of the drag in the laboratory, per mass of the bob [m2/s3]
-      real(wp), intent(out) :: pivot_power         !! Of the pivot on the pendulum, likewise [m2/s3]
-      real(wp) :: pivot_velocity(3), distance, outward(3), bending, pull, square
+      real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory, and of the pivot, likewise [m2/s3]
+      real(wp) :: pivot_velocity(3), pivot_acceleration(3), distance, outward(3), bending
+      real(wp) :: ax, ay, az, u, v, w, a, b, c, drag, pull, square
 
-      call applied_acceleration(forces, time, velocity, acceleration, pivot_velocity, drag_power)
-      tension = 0
-      pivot_power = 0
-      if (.not. is_taut) return
-      if (forces%suspension%is_sphere .and. .not. forces%is_elastic) then
-         ! The case below with outward = position/distance, written out for speed.
-         square = position(1)**2 + position(2)**2 + position(3)**2
-         pull = (position(1)*acceleration(1) + position(2)*acceleration(2) + position(3)*acceleration(3) &
-            + velocity(1)**2 + velocity(2)**2 + velocity(3)**2)/square
-         acceleration(1) = acceleration(1) - pull*position(1)
-         acceleration(2) = acceleration(2) - pull*position(2)
-         acceleration(3) = acceleration(3) - pull*position(3)
-         pull = pull*forces%inertia
-         tension = pull*sqrt(square)
-         if (forces%has_moving_pivot) pivot_power = -pull*dot_product(position, pivot_velocity)
-         return
+      ax = 0
+      ay = 0
+      az = -forces%weight
+      powers(1) = 0
+      powers(2) = 0
+      if (forces%has_more) then
+         ! In the laboratory.
+         u = velocity(1)
+         v = velocity(2)
+         w = velocity(3)
+         if (forces%has_moving_pivot) then
+            call pivot_rates(forces%effects, time, pivot_velocity, pivot_acceleration)
+            u = u + pivot_velocity(1)
+            v = v + pivot_velocity(2)
+            w = w + pivot_velocity(3)
+         end if
+         if (forces%has_drag) then
+            a = u - forces%effects%wind(1)
+            b = v - forces%effects%wind(2)
+            c = w - forces%effects%wind(3)
+            drag = forces%effects%linear_drag
+            if (forces%effects%quadratic_drag > 0) drag = drag + forces%effects%quadratic_drag*sqrt(a**2 + b**2 + c**2)
+            ax = -drag*a
+            ay = -drag*b
+            c = -drag*c
+            az = az + c
+            powers(1) = ax*u + ay*v + c*w
+         end if
+         if (forces%has_turn) then
+            ! Coriolis; the constant centrifugal part belongs to the local gravity.
+            associate (turn => forces%effects%turn_rate)
+               ax = ax - 2*(turn(2)*w - turn(3)*v)
+               ay = ay - 2*(turn(3)*u - turn(1)*w)
+               az = az - 2*(turn(1)*v - turn(2)*u)
+            end associate
+         end if
+         if (forces%inertia > 1) then
+            ax = ax/forces%inertia
+            ay = ay/forces%inertia
+            az = az/forces%inertia
+         end if
+         if (forces%has_moving_pivot) then
+            ax = ax - pivot_acceleration(1)
+            ay = ay - pivot_acceleration(2)
+            az = az - pivot_acceleration(3)
+         end if
       end if
-      call stretch(forces%suspension, position, velocity, distance, outward, bending)
-      if (forces%is_elastic) then
-         tension = forces%effects%stiffness*(distance - forces%suspension%radius)
-         pull = tension/forces%inertia
-      else
-         ! What keeps the distance constant.
-         pull = dot_product(outward, acceleration) + bending
-         tension = pull*forces%inertia
-      end if
-      acceleration = acceleration - pull*outward
-      if (forces%has_moving_pivot) pivot_power = -tension*dot_product(outward, pivot_velocity)
-   end subroutine move
 
-   !> The acceleration relative to the pivot by everything but rod or string.
-   pure subroutine applied_acceleration(forces, time, velocity, acceleration, pivot_velocity, drag_power)
-      type(forces_type), intent(in) :: forces
-      real(wp), intent(in) :: time, velocity(3)
-      real(wp), intent(out) :: acceleration(3)
-      real(wp), intent(out) :: pivot_velocity(3)  !! Set where the pivot moves [m/s]
-      real(wp), intent(out) :: drag_power
-      real(wp) :: in_laboratory(3), through_air(3), drag(3), displacement(3), pivot_acceleration(3)
-
-      acceleration(1) = 0
-      acceleration(2) = 0
-      acceleration(3) = -forces%weight
-      drag_power = 0
-      if (.not. forces%has_more) return
-      in_laboratory = velocity
-      pivot_velocity = 0
-      if (forces%has_moving_pivot) then
-         call pivot_motion(forces%effects, time, displacement, pivot_velocity, pivot_acceleration)
-         in_laboratory = velocity + pivot_velocity
-      end if
-      if (forces%has_drag) then
-         through_air = in_laboratory - forces%effects%wind
-         drag = -(forces%effects%linear_drag + forces%effects%quadratic_drag*sqrt(dot_product(through_air, through_air))) &
-            *through_air
-         drag_power = dot_product(drag, in_laboratory)
-         acceleration = acceleration + drag
-      end if
-      if (forces%has_turn) then
-         ! Coriolis; the constant centrifugal part belongs to the local gravity.
-         associate (w => forces%effects%turn_rate, v => in_laboratory)
-            acceleration(1) = acceleration(1) - 2*(w(2)*v(3) - w(3)*v(2))
-            acceleration(2) = acceleration(2) - 2*(w(3)*v(1) - w(1)*v(3))
-            acceleration(3) = acceleration(3) - 2*(w(1)*v(2) - w(2)*v(1))
+      if (.not. is_taut) then
+         tension = 0
+         acceleration = [ax, ay, az]
+      else if (forces%suspension%is_sphere) then
+         ! The case below with outward = position/distance, written out for speed: the pull per distance.
+         associate (x => position(1), y => position(2), z => position(3))
+            square = x**2 + y**2 + z**2
+            if (forces%is_elastic) then
+               distance = sqrt(square)
+               tension = forces%effects%stiffness*(distance - forces%suspension%radius)
+               pull = tension/(forces%inertia*distance)
+            else
+               pull = (x*ax + y*ay + z*az + velocity(1)**2 + velocity(2)**2 + velocity(3)**2)/square
+               tension = pull*forces%inertia*forces%suspension%radius
+            end if
+            acceleration(1) = ax - pull*x
+            acceleration(2) = ay - pull*y
+            acceleration(3) = az - pull*z
+            if (forces%has_moving_pivot) powers(2) = -pull*forces%inertia*dot_product(position, pivot_velocity)
          end associate
+      else
+         acceleration = [ax, ay, az]
+         call stretch(forces%suspension, position, velocity, distance, outward, bending)
+         if (forces%is_elastic) then
+            tension = forces%effects%stiffness*(distance - forces%suspension%radius)
+            pull = tension/forces%inertia
+         else
+            ! What keeps the distance constant.
+            pull = dot_product(outward, acceleration) + bending
+            tension = pull*forces%inertia
+         end if
+         acceleration = acceleration - pull*outward
+         if (forces%has_moving_pivot) powers(2) = -tension*dot_product(outward, pivot_velocity)
       end if
-      if (forces%inertia > 1) acceleration = acceleration/forces%inertia
-      if (forces%has_moving_pivot) acceleration = acceleration - pivot_acceleration
-   end subroutine applied_acceleration
+   end subroutine move
 
    !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less buoyancy;
    !> of the spring. It changes by the work of drag and pivot, and by what is lost where a string becomes taut [m2/s2].

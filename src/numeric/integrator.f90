@@ -107,7 +107,7 @@ contains
       run%contact%unit_speed = sqrt(gravity*length)
       is_taut = .true.
       call stretch(forces%suspension, p, v, distance, outward, bending)
-      call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers(1), powers(2))
+      call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers)
       if (effects%is_string) is_taut = tension >= 0
       call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
          run%unit_speed**2], first_step*sqrt(length/gravity))
@@ -188,6 +188,7 @@ contains
       logical, intent(out) :: failed
       type(string_event_type) :: event
       real(wp) :: limit, knot
+      logical :: is_far
 
       associate (stepper => run%stepper)
          if (run%has_contact) then
@@ -205,13 +206,21 @@ contains
          knot = next_knot(stepper%problem%forces%effects, stepper%time)
          limit = knot
          if (target + gap > stepper%time + stepper%next) limit = min(limit, target)
+         ! Where samples are far apart no polynomial is wanted.
+         is_far = gap > 2*stepper%next
          call take_step(stepper, limit, failed)
          if (failed) return
          if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
          run%is_at_knot = stepper%time >= knot
          run%steps = run%steps + 1
          run%rejected = stepper%rejected
-         call note_step(run)
+         if (is_far) then
+            call clear(run%interpolant)
+            run%between = by_steps
+            run%work_time = stepper%start
+         else
+            call note_step(run)
+         end if
       end associate
    end subroutine next_step
 
@@ -245,7 +254,7 @@ contains
                work = run%work
                run%interpolated = run%interpolated + 1
                call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, tension, &
-                  powers(1), powers(2))
+                  powers)
             else
                call trial_step(stepper, time - stepper%start, y, rates, tension)
                work = works(run, y)
@@ -274,8 +283,7 @@ contains
       associate (problem => run%stepper%problem, h => run%interpolant%step)
          time = run%interpolant%time(1) + defect_point*h
          call interpolate(run%interpolant, time, y(1:3), y(4:6), bend)
-         call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, tension, powers(1), &
-            powers(2))
+         call move(problem%forces, problem%is_taut, time, problem%base + y(1:3), y(4:6), acceleration, tension, powers)
          defect = norm2(bend - acceleration)
          ! What rounding alone leaves of a second difference.
          allowed = max(4*run%tolerance, 64*epsilon(h))
@@ -297,7 +305,7 @@ contains
             at = run%work_time + half*(1 + gauss_abscissas(i))
             call interpolate(run%interpolant, at, y(1:3), y(4:6))
             call move(problem%forces, problem%is_taut, at, problem%base + y(1:3), y(4:6), acceleration, tension, &
-               powers(1), powers(2))
+               powers)
             run%work = run%work + half*gauss_weights(i)*powers
          end do
       end associate

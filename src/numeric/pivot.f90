@@ -4,33 +4,25 @@ module kyvadlo_pivot
    use kyvadlo_effects, only: effects_type
    implicit none
    private
-   public :: pivot_motion, next_knot
+   public :: pivot_motion, pivot_rates, next_knot
 
    real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
 
 contains
 
    !> Displacement of the pivot from the origin of the laboratory, and its first two derivatives. Beyond a table's ends the
-   !> outermost cubic is continued; new_integration does not let a run get there.
+   !> outermost cubic is continued; `advance` does not let a run get there.
    pure subroutine pivot_motion(effects, time, displacement, velocity, acceleration)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: time                          !! [s]
       real(wp), intent(out) :: displacement(3), velocity(3) !! [m], [m/s]
       real(wp), intent(out), optional :: acceleration(3)    !! [m/s2]
-      real(wp) :: rate, angle, step, a, b
-      integer :: i, k
+      real(wp) :: step, a, b, bend(3)
+      integer :: k
 
-      displacement = 0
-      velocity = 0
-      if (present(acceleration)) acceleration = 0
-      do i = 1, 3
-         if (.not. abs(effects%pivot_amplitude(i)) > 0) cycle
-         rate = two_pi*effects%pivot_frequency(i)
-         angle = rate*time + effects%pivot_phase(i)
-         displacement(i) = effects%pivot_amplitude(i)*cos(angle)
-         velocity(i) = -effects%pivot_amplitude(i)*rate*sin(angle)
-         if (present(acceleration)) acceleration(i) = -rate**2*displacement(i)
-      end do
+      call pivot_rates(effects, time, velocity, bend)
+      if (present(acceleration)) acceleration = bend
+      displacement = effects%pivot_amplitude*cos(two_pi*effects%pivot_frequency*time + effects%pivot_phase)
       if (.not. allocated(effects%pivot_times)) return
       k = interval(effects%pivot_times, time)
       associate (t => effects%pivot_times, p => effects%pivot_displacements, c => effects%pivot_curvatures)
@@ -39,10 +31,37 @@ contains
          b = (time - t(k))/step
          displacement = displacement + a*p(:, k) + b*p(:, k + 1) &
             + step**2/6*((a**3 - a)*c(:, k) + (b**3 - b)*c(:, k + 1))
-         velocity = velocity + (p(:, k + 1) - p(:, k))/step + step/6*((3*b**2 - 1)*c(:, k + 1) - (3*a**2 - 1)*c(:, k))
-         if (present(acceleration)) acceleration = acceleration + a*c(:, k) + b*c(:, k + 1)
       end associate
    end subroutine pivot_motion
+
+   !> The two derivatives alone.
+   pure subroutine pivot_rates(effects, time, velocity, acceleration)
+      type(effects_type), intent(in) :: effects
+      real(wp), intent(in) :: time                              !! [s]
+      real(wp), intent(out) :: velocity(3), acceleration(3)     !! [m/s], [m/s2]
+      real(wp) :: rate, speed, angle, step, a, b
+      integer :: i, k
+
+      do i = 1, 3
+         velocity(i) = 0
+         acceleration(i) = 0
+         if (.not. abs(effects%pivot_amplitude(i)) > 0) cycle
+         rate = two_pi*effects%pivot_frequency(i)
+         speed = effects%pivot_amplitude(i)*rate
+         angle = rate*time + effects%pivot_phase(i)
+         velocity(i) = -speed*sin(angle)
+         acceleration(i) = -speed*rate*cos(angle)
+      end do
+      if (.not. allocated(effects%pivot_times)) return
+      k = interval(effects%pivot_times, time)
+      associate (t => effects%pivot_times, p => effects%pivot_displacements, c => effects%pivot_curvatures)
+         step = t(k + 1) - t(k)
+         a = (t(k + 1) - time)/step
+         b = (time - t(k))/step
+         velocity = velocity + (p(:, k + 1) - p(:, k))/step + step/6*((3*b**2 - 1)*c(:, k + 1) - (3*a**2 - 1)*c(:, k))
+         acceleration = acceleration + a*c(:, k) + b*c(:, k + 1)
+      end associate
+   end subroutine pivot_rates
 
    !> The knot of the table that comes next, where the third derivative jumps; huge without a table or after it [s].
    pure real(wp) function next_knot(effects, time)

@@ -7,7 +7,7 @@
 module kyvadlo_string_contact
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_forces, only: move
-   use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_pivot, only: pivot_rates
    use kyvadlo_suspension, only: put_on_surface, stretch, surface_excess
    use kyvadlo_stepper, only: problem_type, restart, stepper_type, trial_step, unknowns
    use kyvadlo_string, only: string_event_type, event_slack, event_taut, event_rebound, event_end_of_rattling
@@ -143,7 +143,7 @@ contains
    pure real(wp) function margin_between(stepper, h, x)
       type(stepper_type), intent(in) :: stepper
       real(wp), intent(in) :: h, x
-      real(wp) :: y(6), acceleration(3), tension, drag_power, pivot_power
+      real(wp) :: y(6), acceleration(3), tension, powers(2)
       real(wp), dimension(3) :: p, v, a, change, rise, bend, c3, c4, c5
 
       p = stepper%start_y(1:3)
@@ -159,8 +159,7 @@ contains
       tension = 0
       if (stepper%problem%is_taut) then
          y(4:6) = (v + x*(2*a + x*(3*c3 + x*(4*c4 + x*5*c5))))/h
-         call move(stepper%problem%forces, .true., stepper%start + x*h, y(1:3), y(4:6), acceleration, tension, drag_power, &
-            pivot_power)
+         call move(stepper%problem%forces, .true., stepper%start + x*h, y(1:3), y(4:6), acceleration, tension, powers)
       end if
       margin_between = margin(stepper%problem, y, tension)
    end function margin_between
@@ -217,7 +216,7 @@ contains
       type(stepper_type), intent(inout) :: stepper
       type(contact_type), intent(inout) :: contact
       type(string_event_type), intent(out) :: event
-      real(wp) :: distance, outward(3), bending, radial, back, displacement(3), pivot_velocity(3)
+      real(wp) :: distance, outward(3), bending, radial, back, pivot_velocity(3), pivot_acceleration(3)
 
       associate (problem => stepper%problem, p => stepper%y(1:3), v => stepper%y(4:6))
          event%time = stepper%time
@@ -247,7 +246,7 @@ contains
             event%energy_lost = problem%forces%inertia*(1 - back)*(1 + back)*radial**2/2
             if (problem%pivot_work > 0) then
                ! The pull of the string in no time, on a pivot that moves.
-               call pivot_motion(problem%forces%effects, stepper%time, displacement, pivot_velocity)
+               call pivot_rates(problem%forces%effects, stepper%time, pivot_velocity, pivot_acceleration)
                stepper%y(problem%pivot_work) = stepper%y(problem%pivot_work) &
                   - problem%forces%inertia*(1 + back)*radial*dot_product(outward, pivot_velocity)
             end if

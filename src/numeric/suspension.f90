@@ -76,12 +76,20 @@ contains
       real(wp), intent(inout) :: position(3), velocity(3)
       real(wp) :: distance, outward(3), bending, rho, q, scale
 
-      call stretch(suspension, position, velocity, distance, outward, bending)
-      velocity = velocity - dot_product(outward, velocity)*outward
       if (suspension%is_sphere) then
+         scale = 1/sqrt(position(1)**2 + position(2)**2 + position(3)**2)
+         outward(1) = position(1)*scale
+         outward(2) = position(2)*scale
+         outward(3) = position(3)*scale
+         rho = outward(1)*velocity(1) + outward(2)*velocity(2) + outward(3)*velocity(3)
+         velocity(1) = velocity(1) - rho*outward(1)
+         velocity(2) = velocity(2) - rho*outward(2)
+         velocity(3) = velocity(3) - rho*outward(3)
          position = suspension%radius*outward
          return
       end if
+      call stretch(suspension, position, velocity, distance, outward, bending)
+      velocity = velocity - dot_product(outward, velocity)*outward
       associate (long => suspension%long, short => suspension%short)
          rho = sqrt(position(long)**2 + (position(3) - suspension%upper)**2)
          scale = suspension%radius/distance
