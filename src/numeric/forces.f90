@@ -24,6 +24,9 @@ module kyvadlo_forces
       real(wp) :: weight = 0      !! Gravity less buoyancy [m/s2]
       real(wp) :: inertia = 1     !! Mass moved over the mass of the bob
       logical :: has_drag = .false., has_turn = .false., has_moving_pivot = .false., is_elastic = .false.
+      logical :: needs_pivot_velocity = .false.   !! For drag, Coriolis's acceleration or the work of the pivot
+      real(wp) :: pivot_time = -huge(1.0_wp)      !! When the motion of the pivot was evaluated last [s], and what it was
+      real(wp) :: pivot_velocity(3) = 0, pivot_acceleration(3) = 0
       logical :: has_more = .false.   !! Than weight and rod or string
    end type forces_type
 
@@ -51,20 +54,21 @@ contains
       forces%has_turn = any(abs(effects%turn_rate) > 0)
       forces%has_moving_pivot = has_moving_pivot(effects)
       forces%is_elastic = effects%stiffness > 0
+      forces%needs_pivot_velocity = forces%has_moving_pivot
       forces%has_more = forces%has_drag .or. forces%has_turn .or. forces%has_moving_pivot .or. forces%inertia > 1
       call new_suspension(forces%suspension, length, effects%extra_length)
    end subroutine new_forces
 
    !> Everything that follows from a state. The innermost procedure of an integration: scalars, and every effect in its place.
    pure subroutine move(forces, is_taut, time, position, velocity, acceleration, tension, powers)
-      type(forces_type), intent(in) :: forces
+      type(forces_type), intent(inout) :: forces   !! Only what it remembers of the pivot changes
       logical, intent(in) :: is_taut               !! The rod or string acts; where not, the bob flies
       real(wp), intent(in) :: time                 !! [s]
       real(wp), intent(in) :: position(3), velocity(3) !! Relative to the pivot [m], [m/s]
       real(wp), intent(out) :: acceleration(3)     !! Relative to the pivot [m/s2]
       real(wp), intent(out) :: tension             !! Of rod or string, per mass of the bob [m/s2]
-      real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory, and of the pivot, likewise [m2/s3]
-      real(wp) :: pivot_velocity(3), pivot_acceleration(3), distance, outward(3), bending
+      real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory and of the pivot, likewise [m2/s3]
+      real(wp) :: distance, outward(3), bending
       real(wp) :: ax, ay, az, u, v, w, a, b, c, drag, pull, square
 
       ax = 0
@@ -78,10 +82,18 @@ contains
          v = velocity(2)
          w = velocity(3)
          if (forces%has_moving_pivot) then
-            call pivot_rates(forces%effects, time, pivot_velocity, pivot_acceleration)
-            u = u + pivot_velocity(1)
-            v = v + pivot_velocity(2)
-            w = w + pivot_velocity(3)
+            ! A step evaluates three times at its end.
+            if (abs(time - forces%pivot_time) > 0) then
+               forces%pivot_time = time
+               if (forces%needs_pivot_velocity) then
+                  call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity)
+               else
+                  call pivot_rates(forces%effects, time, forces%pivot_acceleration)
+               end if
+            end if
+            u = u + forces%pivot_velocity(1)
+            v = v + forces%pivot_velocity(2)
+            w = w + forces%pivot_velocity(3)
          end if
          if (forces%has_drag) then
             a = u - forces%effects%wind(1)
@@ -109,9 +121,9 @@ contains
             az = az/forces%inertia
          end if
          if (forces%has_moving_pivot) then
-            ax = ax - pivot_acceleration(1)
-            ay = ay - pivot_acceleration(2)
-            az = az - pivot_acceleration(3)
+            ax = ax - forces%pivot_acceleration(1)
+            ay = ay - forces%pivot_acceleration(2)
+            az = az - forces%pivot_acceleration(3)
          end if
       end if
 
@@ -133,7 +145,7 @@ contains
             acceleration(1) = ax - pull*x
             acceleration(2) = ay - pull*y
             acceleration(3) = az - pull*z
-            if (forces%has_moving_pivot) powers(2) = -pull*forces%inertia*dot_product(position, pivot_velocity)
+            if (forces%needs_pivot_velocity) powers(2) = -pull*forces%inertia*dot_product(position, forces%pivot_velocity)
          end associate
       else
          acceleration = [ax, ay, az]
@@ -147,7 +159,7 @@ contains
             tension = pull*forces%inertia
          end if
          acceleration = acceleration - pull*outward
-         if (forces%has_moving_pivot) powers(2) = -tension*dot_product(outward, pivot_velocity)
+         if (forces%needs_pivot_velocity) powers(2) = -tension*dot_product(outward, forces%pivot_velocity)
       end if
    end subroutine move
 

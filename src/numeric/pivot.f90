@@ -20,7 +20,7 @@ contains
       real(wp) :: step, a, b, bend(3)
       integer :: k
 
-      call pivot_rates(effects, time, velocity, bend)
+      call pivot_rates(effects, time, bend, velocity)
       if (present(acceleration)) acceleration = bend
       displacement = effects%pivot_amplitude*cos(two_pi*effects%pivot_frequency*time + effects%pivot_phase)
       if (.not. allocated(effects%pivot_times)) return
@@ -34,23 +34,23 @@ contains
       end associate
    end subroutine pivot_motion
 
-   !> The two derivatives alone.
-   pure subroutine pivot_rates(effects, time, velocity, acceleration)
+   !> The derivatives alone; where the first is not asked for it costs nothing.
+   pure subroutine pivot_rates(effects, time, acceleration, velocity)
       type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: time                              !! [s]
-      real(wp), intent(out) :: velocity(3), acceleration(3)     !! [m/s], [m/s2]
-      real(wp) :: rate, speed, angle, step, a, b
+      real(wp), intent(in) :: time                     !! [s]
+      real(wp), intent(out) :: acceleration(3)         !! [m/s2]
+      real(wp), intent(out), optional :: velocity(3)   !! [m/s]
+      real(wp) :: rate, angle, step, a, b
       integer :: i, k
 
       do i = 1, 3
-         velocity(i) = 0
          acceleration(i) = 0
+         if (present(velocity)) velocity(i) = 0
          if (.not. abs(effects%pivot_amplitude(i)) > 0) cycle
          rate = two_pi*effects%pivot_frequency(i)
-         speed = effects%pivot_amplitude(i)*rate
          angle = rate*time + effects%pivot_phase(i)
-         velocity(i) = -speed*sin(angle)
-         acceleration(i) = -speed*rate*cos(angle)
+         acceleration(i) = -effects%pivot_amplitude(i)*rate**2*cos(angle)
+         if (present(velocity)) velocity(i) = -effects%pivot_amplitude(i)*rate*sin(angle)
       end do
       if (.not. allocated(effects%pivot_times)) return
       k = interval(effects%pivot_times, time)
@@ -58,8 +58,9 @@ contains
          step = t(k + 1) - t(k)
          a = (t(k + 1) - time)/step
          b = (time - t(k))/step
-         velocity = velocity + (p(:, k + 1) - p(:, k))/step + step/6*((3*b**2 - 1)*c(:, k + 1) - (3*a**2 - 1)*c(:, k))
          acceleration = acceleration + a*c(:, k) + b*c(:, k + 1)
+         if (present(velocity)) velocity = velocity + (p(:, k + 1) - p(:, k))/step &
+            + step/6*((3*b**2 - 1)*c(:, k + 1) - (3*a**2 - 1)*c(:, k))
       end associate
    end subroutine pivot_rates
 

@@ -75,6 +75,7 @@ contains
             problem%unknowns = problem%unknowns + 1
             problem%pivot_work = problem%unknowns
          end if
+         problem%forces%needs_pivot_velocity = forces%has_moving_pivot .and. (with_work .or. forces%has_drag .or. forces%has_turn)
          scale = [scales(1), scales(1), scales(1), scales(2), scales(2), scales(2), scales(3), scales(3)]
          stepper%system = fgsl_odeiv2_system_init(right_side, int(problem%unknowns, c_size_t), c_loc(stepper%problem))
          stepper%step = fgsl_odeiv2_step_alloc(fgsl_odeiv2_step_rk8pd, int(problem%unknowns, c_size_t))

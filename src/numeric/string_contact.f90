@@ -65,7 +65,7 @@ contains
    end subroutine find_contact
 
    !> The first point of the last step known to be without margin, and one before it; high = 0 if there is none.
-   pure subroutine bracket(stepper, h, low, high)
+   subroutine bracket(stepper, h, low, high)
       type(stepper_type), intent(in) :: stepper
       real(wp), intent(in) :: h
       real(wp), intent(out) :: low, high
@@ -140,7 +140,7 @@ contains
    end function margin_after
 
    !> Margin at a part of the last step, along the quintic that has place, velocity and acceleration at its ends.
-   pure real(wp) function margin_between(stepper, h, x)
+   real(wp) function margin_between(stepper, h, x)
       type(stepper_type), intent(in) :: stepper
       real(wp), intent(in) :: h, x
       real(wp) :: y(6), acceleration(3), tension, powers(2)
@@ -246,7 +246,7 @@ contains
             event%energy_lost = problem%forces%inertia*(1 - back)*(1 + back)*radial**2/2
             if (problem%pivot_work > 0) then
                ! The pull of the string in no time, on a pivot that moves.
-               call pivot_rates(problem%forces%effects, stepper%time, pivot_velocity, pivot_acceleration)
+               call pivot_rates(problem%forces%effects, stepper%time, pivot_acceleration, pivot_velocity)
                stepper%y(problem%pivot_work) = stepper%y(problem%pivot_work) &
                   - problem%forces%inertia*(1 + back)*radial*dot_product(outward, pivot_velocity)
             end if
