@@ -83,14 +83,14 @@ contains
             end do
          end do
       end do
-      write (unit, '(a10,2x,a33,a9,3(a11,a8))') 'accuracy', name//'                               ', 'error', &
+      write (unit, '(a10,2x,a33,a9,3(a11,a9))') 'accuracy', name//'                               ', 'error', &
          (levels(level), 'times', level=0, last)
       do row = 0, size(accuracies)
          do level = 0, last
             found(level) = median(times(:, level, row))
             if (row == 0) full(level) = found(level)
          end do
-         write (unit, '(a,es9.1,3(f11.2,f8.3))') row_name(work, row), worst_error(work, row), &
+         write (unit, '(a,es9.1,3(f11.2,f9.4))') row_name(work, row), worst_error(work, row), &
             (found(level), full(level)/found(level), level=0, last)
       end do
       write (unit, '(a)') ''
