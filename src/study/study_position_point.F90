@@ -36,6 +36,11 @@ module kyvadlo_study_by_point
    integer, parameter :: by_carlson = 1, by_legendre = 2, by_gsl = 3
    character(len=*), parameter :: integral_names(3) = [character(len=8) :: 'carlson', 'legendre', 'gsl']
 
+   !> n and 1 - n, of which either may hold digits that the other has lost.
+   type :: characteristic_type
+      real(wp) :: value = 0, complement = 1
+   end type characteristic_type
+
    type, extends(point_type) :: integrals_type
       integer :: by = by_carlson
    contains
@@ -149,22 +154,23 @@ contains
       class(integrals_type), intent(inout) :: work
       type(error_type), allocatable :: error
       type(orbit_type) :: orbit
-      real(wp) :: rate, m, n(2), factor(2), half, turns, sn, cn, dn, am, phi
+      type(characteristic_type) :: n(2)
+      real(wp) :: rate, factor(2), half, turns, sn, cn, dn, am, phi
       integer :: i
 
       call set_up_orbit(work%start, orbit, error)
       work%has_failed = allocated(error)
       rate = phase_rate(orbit)
-      m = orbit%parameter
-      associate (turning => orbit%turning)
-         n = [turning%swing/turning%lower_gap, -turning%swing/turning%lower_rise]
+      associate (turning => orbit%turning, m => orbit%parameter, mc => orbit%complementary_parameter)
+         n = [characteristic_type(turning%swing/turning%lower_gap, turning%top_gap/turning%lower_gap), &
+            characteristic_type(-turning%swing/turning%lower_rise, turning%upper_rise/turning%lower_rise)]
          factor = orbit_momentum(orbit)/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
-         half = factor(1)*complete_third(work%by, n(1), m) + factor(2)*complete_third(work%by, n(2), m)
+         half = factor(1)*complete_third(work%by, n(1), m, mc) + factor(2)*complete_third(work%by, n(2), m, mc)
          do i = 1, n_times
             turns = anint(work%times(i)/orbit%period%high - 0.5_wp) + 0.5_wp
-            call jacobi_by(work%by, rate*since(orbit, work%times(i), turns), m, sn, cn, dn, am)
-            phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, sn, cn, dn) &
-               + factor(2)*third(work%by, n(2), am, m, sn, cn, dn)
+            call jacobi_by(work%by, rate*since(orbit, work%times(i), turns), m, mc, sn, cn, dn, am)
+            phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, mc, sn, cn, dn) &
+               + factor(2)*third(work%by, n(2), am, m, mc, sn, cn, dn)
             call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%top_gap + turning%swing*cn**2, phi)
          end do
       end associate
@@ -173,9 +179,9 @@ contains
    end subroutine integrals_pass
 
    !> sn, cn, dn and the amplitude in (-pi, pi].
-   subroutine jacobi_by(by, argument, m, sn, cn, dn, am)
+   subroutine jacobi_by(by, argument, m, mc, sn, cn, dn, am)
       integer, intent(in) :: by
-      real(wp), intent(in) :: argument, m
+      real(wp), intent(in) :: argument, m, mc
       real(wp), intent(out) :: sn, cn, dn, am
 #ifdef KYVADLO_WITH_GSL
       integer :: status
@@ -187,41 +193,47 @@ contains
          return
       end if
 #endif
-      call jacobi_functions(argument, m, sn, cn, dn, am)
-      if (by < 0) sn = huge(sn) ! Every argument is referred to in either build.
+      call jacobi_functionsc(argument, mc, sn, cn, dn, am)
+      if (by < 0) sn = huge(sn)*m ! Every argument is referred to in either build.
    end subroutine jacobi_by
 
-   !> Pi(n; am, m) of an amplitude up to pi/2; R_F and R_J by DLMF 19.25.14.
-   real(wp) function third(by, n, am, m, sn, cn, dn)
+   !> Pi(n; am, m) of an amplitude up to pi/2; R_F and R_J by DLMF 19.25.14. Carlson's integrals take complements of m and n as
+   !> they are, Legendre's that of m, GSL's none.
+   real(wp) function third(by, n, am, m, mc, sn, cn, dn)
       integer, intent(in) :: by
-      real(wp), intent(in) :: n, am, m, sn, cn, dn
+      type(characteristic_type), intent(in) :: n
+      real(wp), intent(in) :: am, m, mc, sn, cn, dn
 
       select case (by)
       case (by_carlson)
-         third = sn*(carlson_rf(cn**2, dn**2, 1.0_wp) + n*sn**2/3*carlson_rj(cn**2, dn**2, 1.0_wp, 1 - n*sn**2))
+         third = sn*(carlson_rf(cn**2, dn**2, 1.0_wp) &
+            + n%value*sn**2/3*carlson_rj(cn**2, dn**2, 1.0_wp, cn**2 + n%complement*sn**2))
 #ifdef KYVADLO_WITH_GSL
       case (by_gsl)
-         third = fgsl_sf_ellint_p(am, sqrt(m), -n, fgsl_prec_double)
+         third = fgsl_sf_ellint_p(am, sqrt(m), -n%value, fgsl_prec_double)
 #endif
       case default
-         third = elliptic_piinc(n, am, m)
+         third = elliptic_piincc(n%value, am, mc)
+         if (by < 0) third = m
       end select
    end function third
 
    !> Pi(n, m); by DLMF 19.25.2.
-   real(wp) function complete_third(by, n, m)
+   real(wp) function complete_third(by, n, m, mc)
       integer, intent(in) :: by
-      real(wp), intent(in) :: n, m
+      type(characteristic_type), intent(in) :: n
+      real(wp), intent(in) :: m, mc
 
       select case (by)
       case (by_carlson)
-         complete_third = carlson_rf(0.0_wp, 1 - m, 1.0_wp) + n/3*carlson_rj(0.0_wp, 1 - m, 1.0_wp, 1 - n)
+         complete_third = carlson_rf(0.0_wp, mc, 1.0_wp) + n%value/3*carlson_rj(0.0_wp, mc, 1.0_wp, n%complement)
 #ifdef KYVADLO_WITH_GSL
       case (by_gsl)
-         complete_third = fgsl_sf_ellint_pcomp(sqrt(m), -n, fgsl_prec_double)
+         complete_third = fgsl_sf_ellint_pcomp(sqrt(m), -n%value, fgsl_prec_double)
 #endif
       case default
-         complete_third = elliptic_pi(n, m)
+         complete_third = elliptic_pic(n%value, mc)
+         if (by < 0) complete_third = m
       end select
    end function complete_third
 
