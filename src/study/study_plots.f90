@@ -21,7 +21,7 @@ module kyvadlo_study_plots
       '#17becf', '#8c564b', '#e377c2', '#7f7f7f', '#bcbd22', '#000080', '#006400']
 
    !> In points.
-   integer, parameter :: panel_width = 320, panel_height = 260, head_height = 60
+   integer, parameter :: panel_width = 320, panel_height = 270, head_height = 60
 
 contains
 
@@ -62,8 +62,6 @@ contains
       call sink%put("set format '10^{%L}'")
       call sink%put('set grid')
       call sink%put('set tics font ",9" nomirror')
-      call sink%put('unset mxtics')
-      call sink%put('unset mytics')
       call sink%put('set key off')
       call sink%put('set title font ",11" offset 0,-0.7')
       call sink%put('is(q, o, m, k) = strcol(1) eq q && strcol(2) eq o && strcol(3) eq m && strcol(5) eq k')
@@ -92,7 +90,7 @@ contains
       text = integer_text(panel_width*columns)//','//integer_text(panel_height*rows + head_height)
    end function page_size
 
-   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 60 for numbers and a title.
+   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 72 for numbers and a title.
    function margins(rows, columns) result(text)
       integer, intent(in) :: rows, columns
       character(len=:), allocatable :: text
@@ -102,7 +100,7 @@ contains
       width = panel_width*columns
       height = panel_height*rows + head_height
       write (line, '(3(f6.4,","),f6.4," spacing ",f6.4,",",f6.4)') 55/width, 1 - 15/width, 35/height, 1 - 65/height, &
-         60/width, 60/height
+         60/width, 72/height
       text = trim(line)
    end function margins
 
@@ -130,7 +128,7 @@ contains
       call sink%put('unset border')
       call sink%put('unset tics')
       call sink%put('unset grid')
-      call sink%put('set key center center font ",8" samplen 2 spacing 0.7')
+      call sink%put('set key center center font ",8" samplen 2 spacing 0.8')
       call sink%put('plot \')
       do j = 1, size(series)
          call sink%put('   NaN '//style(series, j)//" title '"//label(study, question, series(j))//"'"// &
