@@ -136,6 +136,7 @@ contains
          do j = 1, size(pendulums)
             call orbit_from_pendulum(pendulums(j), orbit, error)
             if (allocated(error)) return
+            if (any(orbits%name == orbit%name)) orbit%name = trim(orbit%name)//' of '//arguments%operands(i)%text
             if (any(orbits%name == orbit%name)) then
                call fail(error, code_input, "study: two pendulums are named '"//trim(orbit%name)//"'")
                return
@@ -155,6 +156,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: questions(:)
       type(output_type) :: output
+      logical :: has_gnuplot
       integer :: i
 
       call open_output(output, folder//'/study.csv', error)
@@ -163,33 +165,37 @@ contains
       call close_output(output, error)
       if (allocated(error)) return
       call names_in(study, 'question', '', questions)
+      has_gnuplot = shell_says_yes('command -v gnuplot >/dev/null')
       do i = 1, size(questions)
          call open_output(output, folder//'/study_'//questions(i)%text//'.gp', error)
          if (allocated(error)) return
          call write_plot(study, questions(i)%text, output)
          call close_output(output, error)
          if (allocated(error)) return
-         call draw(folder, 'study_'//questions(i)%text)
+         if (has_gnuplot) call draw(folder, 'study_'//questions(i)%text)
       end do
+      if (.not. has_gnuplot) call message('kyvadlo: no gnuplot here to draw the pictures; where there is: gnuplot study_*.gp')
    end subroutine write_files
 
    !> Lets gnuplot draw a picture under another name, which it then gives up for its own.
    subroutine draw(folder, name)
       character(len=*), intent(in) :: folder, name
-      integer :: status, command_status
-      integer, parameter :: no_program = 127  ! of a shell that finds no such command
+      logical :: is_removed
 
-      call execute_command_line('cd '//shell_word(folder)//' && { command -v gnuplot >/dev/null || exit 127; } && '// &
-         "gnuplot -e ""before='.part.'"" "//name//'.gp && mv .part.'//name//'.svg '//name//'.svg && mv .part.'//name//'.png '// &
-         name//'.png', exitstat=status, cmdstat=command_status)
-      if (command_status /= 0 .or. status == no_program) then
-         call message('kyvadlo: no gnuplot here; where there is: gnuplot '//name//'.gp')
-      else if (status /= 0) then
-         call message('kyvadlo: gnuplot could not draw '//name//'.gp')
-         call execute_command_line('cd '//shell_word(folder)//' && rm -f .part.'//name//'.svg .part.'//name//'.png', &
-            exitstat=status, cmdstat=command_status)
-      end if
+      if (shell_says_yes('cd '//shell_word(folder)//" && gnuplot -e ""before='.part.'"" "//name//'.gp && mv .part.'//name// &
+         '.svg '//name//'.svg && mv .part.'//name//'.png '//name//'.png')) return
+      call message('kyvadlo: gnuplot could not draw '//name//'.gp')
+      is_removed = shell_says_yes('cd '//shell_word(folder)//' && rm -f .part.'//name//'.svg .part.'//name//'.png')
    end subroutine draw
+
+   !> Does the command end with status 0?
+   logical function shell_says_yes(command)
+      character(len=*), intent(in) :: command
+      integer :: status, command_status
+
+      call execute_command_line(command, exitstat=status, cmdstat=command_status)
+      shell_says_yes = command_status == 0 .and. status == 0
+   end function shell_says_yes
 
    !> A word that the shell takes as it is.
    pure function shell_word(text) result(word)

@@ -5,7 +5,7 @@ module kyvadlo_study_csv
    use kyvadlo_version, only: compiler, compiler_flags, version
    implicit none
    private
-   public :: write_csv, write_machine
+   public :: write_csv, write_machine, processor
 
 contains
 
@@ -40,6 +40,7 @@ contains
       call sink%put(mark//processor())
    end subroutine write_machine
 
+   !> What Linux calls the processor.
    function processor() result(name)
       character(len=:), allocatable :: name
       character(len=256) :: line

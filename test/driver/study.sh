@@ -14,7 +14,7 @@ echo "&pendulum length = 1, energy_above_top = 2, momentum = 0 /" >over.nml
 fails 2 "must swing" study --quick over.nml
 printf '&pendulum name = "twin", length = 1, z_upper = 0.3, z_lower = -0.8 /\n' >two.nml
 cat two.nml two.nml >twins.nml
-fails 2 "two pendulums are named 'twin'" study --quick twins.nml
+fails 2 "two pendulums are named 'twin of twins.nml'" study --quick two.nml twins.nml
 
 # Everything once, quickly.
 started=$(date +%s)
@@ -144,5 +144,19 @@ awk -F, '$4 == "closed_form" && $6 == "real64" && $5 !~ /1e-/ && !($7 + 0 < 1e-1
 checks=$((checks + 1))
 awk -F, '$4 == "closed_form" && match($5, /1e-[0-9]+/) && !($7 + 0 <= substr($5, RSTART, RLENGTH) + 0)' own/study.csv | grep . &&
    complain 'an accuracy asked for is not kept'
+
+# Two scenes may name their pendulums alike. Without gnuplot there are no pictures, and one line says so.
+printf '&pendulum length = 1, z_upper = 0.3, z_lower = -0.8 /\n' >unnamed.nml
+cp unnamed.nml second.nml
+mkdir tools
+ln -s "$(command -v sh)" tools/sh
+PATH=$PWD/tools "$program" study --quick --seconds 0.0001 unnamed.nml second.nml --output "it's" >out 2>err
+status=$?
+expect_status 0
+expect_match '^  pendulum 1 of second.nml .*closed_form'
+checks=$((checks + 3))
+[ -s "it's/study_period.gp" ] || complain 'the scripts must be written without gnuplot too'
+[ ! -e "it's/study_period.svg" ] || complain 'no picture without gnuplot expected'
+[ "$(grep -c 'no gnuplot here' err)" -eq 1 ] || complain 'one line about gnuplot expected'
 
 finish

@@ -1,6 +1,7 @@
 !> What the pages printed by the studies have in common.
 module study_pages
    use, intrinsic :: iso_fortran_env, only: real64, output_unit
+   use kyvadlo_study_csv, only: processor
    use kyvadlo_version, only: version, compiler, compiler_flags
    implicit none
    private
@@ -15,24 +16,6 @@ contains
       write (output_unit, '(a)') 'Printed by', '', '```sh', command, '```', '', &
          'Here: kyvadlo '//version//', '//compiler//', `'//trim(adjustl(compiler_flags))//'`, '//processor()//'.', ''
    end subroutine write_machine
-
-   function processor() result(name)
-      character(len=:), allocatable :: name
-      character(len=256) :: line
-      integer :: unit, status
-
-      name = 'an unknown processor'
-      open (newunit=unit, file='/proc/cpuinfo', status='old', action='read', iostat=status)
-      if (status /= 0) return
-      do
-         read (unit, '(a)', iostat=status) line
-         if (status /= 0) exit
-         if (line(1:10) /= 'model name') cycle
-         name = trim(adjustl(line(index(line, ':') + 1:)))
-         exit
-      end do
-      close (unit)
-   end function processor
 
    !> Two or three significant digits.
    function number_text(x) result(text)
