@@ -14,6 +14,7 @@ module kyvadlo_c_orbits
    public :: kyvadlo_orbit_from_energy_above_bottom
    public :: kyvadlo_orbit_from_release
    public :: kyvadlo_orbit_from_state, kyvadlo_orbit_bytes, kyvadlo_locate, kyvadlo_locate_many, kyvadlo_turning
+   public :: kyvadlo_orbit_to_accuracy
    public :: kyvadlo_height_period
    public :: kyvadlo_modulus
    public :: kyvadlo_complementary_modulus
@@ -187,6 +188,22 @@ contains
       call new_orbit_from_state(made, length, gravity, position, velocity, error)
       call deliver(made, error, orbit, message, capacity, code)
    end function kyvadlo_orbit_from_state
+
+   !> Lets the places of an orbit cost less; where that fails the orbit stays as it is.
+   function kyvadlo_orbit_to_accuracy(orbit, accuracy, span, message, capacity) result(code) bind(c)
+      type(c_orbit_type), intent(inout), target :: orbit
+      real(c_double), value :: accuracy, span
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int) :: code
+      type(accurate_orbit_type) :: chosen
+      type(c_orbit_type) :: packed
+      type(error_type), allocatable :: error
+
+      call new_orbit_to_accuracy(chosen, seen(orbit), accuracy, span, error)
+      call deliver(chosen%orbit, error, packed, message, capacity, code)
+      if (code == 0) orbit = packed
+   end function kyvadlo_orbit_to_accuracy
 
    !> z2, z1, z3, l+z2, l-z1, z1-z2, z3-z1, z3-l.
    subroutine kyvadlo_turning(orbit, values) bind(c)

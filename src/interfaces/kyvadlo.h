@@ -99,6 +99,11 @@ int kyvadlo_orbit_from_release(double length, double gravity, double angle, doub
 int kyvadlo_orbit_from_state(double length, double gravity, const double position[3], const double velocity[3],
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 
+/* Lets kyvadlo_locate_many compute the places of an orbit in single precision or with fewer terms, whichever keeps the accuracy at
+   the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the accuracy of the greatest speed.
+   From 3.6e-15 to 0.1, and once for an orbit; where that fails the orbit stays as it was. */
+int kyvadlo_orbit_to_accuracy(kyvadlo_orbit *orbit, double accuracy, double span, char *message, size_t capacity);
+
 /* What does not change along an orbit. */
 double kyvadlo_height_period(const kyvadlo_orbit *orbit); /* T, from one highest point to the next [s] */
 double kyvadlo_modulus(const kyvadlo_orbit *orbit); /* k */

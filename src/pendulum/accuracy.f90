@@ -103,7 +103,11 @@ contains
 
       plan%orbit = orbit
       call begin(plan, accuracy, span, error)
-      if (.not. allocated(error)) then
+      if (allocated(error)) then
+         continue
+      else if (orbit%kernel%grade /= grade_full) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need an orbit without an accuracy, got '//choice_text(plan))
+      else
          call choose(plan, .false., is_kept)
          if (is_kept) return
          call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &

@@ -60,6 +60,21 @@ int main(void)
     check(fabs(many[3 + i] - p[i]) <= 10*DBL_EPSILON && fabs(rates[3 + i] - v[i]) <= 60*DBL_EPSILON, "many times");
   check(kyvadlo_orbit_bytes() == sizeof orbit, "the size of an orbit");
 
+  {
+    /* To 1e-6 of l = 1 the same places, not to the last digit; not finer than double precision, nor twice. */
+    kyvadlo_orbit rough = orbit;
+    double moved[6], unused[6], far = 0;
+    int k;
+    check(kyvadlo_orbit_to_accuracy(&rough, 1e-6, 100, message, sizeof message) == KYVADLO_OK, "accuracy 1e-6");
+    kyvadlo_locate_many(&rough, 2, times, moved, unused);
+    for (k = 0; k < 6; k++) far = fmax(far, fabs(moved[k] - many[k]));
+    check(far <= 1e-6 && far > 1e-14, "places to 1e-6");
+    check(kyvadlo_orbit_to_accuracy(&rough, 1e-3, 100, message, sizeof message) == KYVADLO_DOMAIN, "accuracy twice");
+    check(kyvadlo_orbit_to_accuracy(&orbit, 1e-20, 100, message, sizeof message) == KYVADLO_DOMAIN, "accuracy 1e-20");
+    check(strstr(message, "1.00E-20") != NULL, message);
+    kyvadlo_locate_many(&orbit, 2, times, moved, unused);
+    check(memcmp(moved, many, sizeof moved) == 0, "an orbit that could not be had stays as it was");
+  }
   check(kyvadlo_orbit_from_state(1, g, p, v, &orbit, message, sizeof message) == KYVADLO_OK, "state");
   kyvadlo_locate(&orbit, 0, many, rates);
   check(near(many[0], p[0], 4e-16) && near(many[2], p[2], 4e-16) && near(rates[1], v[1], 4e-15), "the start comes back");
