@@ -149,7 +149,7 @@ contains
          if (allocated(error)) exit
          gap = times(i) - run%last_time
          failed = .false.
-         do while (run%stepper%time < times(i) .and. .not. failed)
+         do while (run%stepper%time < times(i) .and. run%event_count <= most_events .and. .not. failed)
             call next_step(run, times(i), gap, failed)
          end do
          if (failed) then

@@ -18,6 +18,9 @@ module kyvadlo_stepper
 
    !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
    integer, parameter :: unknowns = 8
+   !> A step shorter than this part of the time scale fails: the motion is singular, or so stiff that a second of it would take
+   !> minutes. A spring that calls for such steps would have 1e16 times the stiffness that the weight stretches by the length.
+   real(wp), parameter :: shortest = 1e-8_wp
 
    !> What the right side needs. Where GSL calls it, its address must stay.
    type :: problem_type
@@ -42,6 +45,7 @@ module kyvadlo_stepper
       real(wp) :: time = 0, y(unknowns) = 0, rates(unknowns) = 0, tension = 0           !! Now
       real(wp) :: start = 0, start_y(unknowns) = 0, start_rates(unknowns) = 0, start_tension = 0 !! Before the last step
       real(wp) :: next = 0                  !! Length of the next step [s]
+      real(wp) :: time_scale = 0            !! In which the bob moves by its length [s]
       integer(int64) :: rejected = 0        !! Steps repeated with a shorter length
       type(fgsl_odeiv2_system) :: system
       type(fgsl_odeiv2_step) :: step
@@ -85,6 +89,7 @@ contains
       stepper%rejected = 0
       stepper%y = [position, velocity, 0.0_wp, 0.0_wp]
       stepper%next = first_step
+      stepper%time_scale = scales(1)/scales(2)
       call restart(stepper)
    end subroutine new_stepper
 
@@ -110,7 +115,7 @@ contains
       stepper%start_tension = stepper%tension
    end subroutine restart
 
-   !> One step, not beyond `limit`. Fails where the steps become shorter than time resolves.
+   !> One step, not beyond `limit`. Fails where the steps become too short.
    subroutine take_step(stepper, limit, failed)
       type(stepper_type), intent(inout) :: stepper
       real(wp), intent(in) :: limit             !! Later than now [s]
@@ -142,7 +147,7 @@ contains
          end if
          h = wanted
          stepper%rejected = stepper%rejected + 1
-         if (.not. stepper%time + h > stepper%time + spacing(stepper%time)) then
+         if (.not. h > max(shortest*stepper%time_scale, spacing(stepper%time))) then
             failed = .true.
             return
          end if
