@@ -91,9 +91,11 @@ contains
                   call pivot_rates(forces%effects, time, forces%pivot_acceleration)
                end if
             end if
-            u = u + forces%pivot_velocity(1)
-            v = v + forces%pivot_velocity(2)
-            w = w + forces%pivot_velocity(3)
+            if (forces%needs_pivot_velocity) then
+               u = u + forces%pivot_velocity(1)
+               v = v + forces%pivot_velocity(2)
+               w = w + forces%pivot_velocity(3)
+            end if
          end if
          if (forces%has_drag) then
             a = u - forces%effects%wind(1)
