@@ -66,6 +66,7 @@ module kyvadlo_commands
       option_type('bench', '--functions', '', 'the elliptic functions'), &
       option_type('bench', '--motion', '', 'places, velocities, periods and set-up'), &
       option_type('bench', '--accuracy', '', 'places to a stated accuracy'), &
+      option_type('bench', '--scenes', '', 'samples of simulated scenes'), &
       option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
       option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &

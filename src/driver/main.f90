@@ -4,6 +4,7 @@ program kyvadlo_main
    use kyvadlo_bench_accuracy, only: bench_accuracy
    use kyvadlo_bench_functions, only: bench_functions
    use kyvadlo_bench_motion, only: bench_motion
+   use kyvadlo_bench_scenes, only: bench_scenes
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
@@ -81,13 +82,15 @@ contains
          return
       end if
       some = option_given(arguments, '--functions') .or. option_given(arguments, '--motion') .or. &
-         option_given(arguments, '--accuracy')
+         option_given(arguments, '--accuracy') .or. option_given(arguments, '--scenes')
       if (option_given(arguments, '--functions') .or. .not. some) &
          call bench_functions(output_unit, option_given(arguments, '--quick'))
       if (option_given(arguments, '--motion') .or. .not. some) &
          call bench_motion(output_unit, option_given(arguments, '--quick'))
       if (option_given(arguments, '--accuracy') .or. .not. some) &
          call bench_accuracy(output_unit, option_given(arguments, '--quick'))
+      if (option_given(arguments, '--scenes') .or. .not. some) &
+         call bench_scenes(output_unit, option_given(arguments, '--quick'))
       flush (output_unit, iostat=status)
       if (status /= 0) call fail(error, code_file, 'cannot write to standard output')
    end subroutine bench_command

@@ -6,6 +6,7 @@ module kyvadlo_exact_samples
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_quantities
    use kyvadlo_sample_block, only: block_samples, block_type
+   use kyvadlo_sample_times, only: last_before
    use kyvadlo_simulation_path, only: path_type
    implicit none
    private
@@ -120,7 +121,7 @@ contains
       associate (values => block%values, string => path%string, n => block%count, p => block%column(quantity_position), &
          v => block%column(quantity_velocity), tension_column => block%column(quantity_tension), &
          energy => block%column(quantity_energy), momentum => block%column(quantity_momentum))
-         piece = 1
+         piece = block%piece
          first = 1
          do while (first <= n)
             ! The piece of this sample, and the last sample in it.
@@ -129,7 +130,7 @@ contains
                piece = piece + 1
             end do
             last = n
-            if (piece < size(string%pieces)) last = first - 1 + count(values(first:n, 1) < string%pieces(piece + 1)%start)
+            if (piece < size(string%pieces)) last = last_before(values(:n, 1), first, string%pieces(piece + 1)%start)
             if (string%pieces(piece)%is_taut) then
                since(first:last) = values(first:last, 1) - string%pieces(piece)%start
                call place_samples(string%pieces(piece)%orbit, since(first:last), first, block)
@@ -145,6 +146,7 @@ contains
             end if
             first = last + 1
          end do
+         block%piece = piece
          if (energy > 0) values(:n, energy) = path%inertia*((values(:n, v)**2 + values(:n, v + 1)**2 &
             + values(:n, v + 2)**2)/2 + string%gravity*values(:n, p + 2))
          if (momentum > 0) values(:n, momentum) = values(:n, p)*values(:n, v + 1) - values(:n, p + 1)*values(:n, v)

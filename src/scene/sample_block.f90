@@ -1,6 +1,5 @@
 !> A block of samples: its columns, its times, and how the motion is looked at.
 module kyvadlo_sample_block
-   use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_effects, only: effects_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_pivot, only: pivot_motion
@@ -10,7 +9,7 @@ module kyvadlo_sample_block
    use kyvadlo_turning_frame, only: seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, set_times, fill_angles, fill_speed, move_with_pivot, turn_frame
+   public :: block_type, block_samples, columns_of, new_block, fill_angles, fill_speed, move_with_pivot, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate_batch`.
    integer, parameter :: block_samples = 8192
@@ -18,6 +17,7 @@ module kyvadlo_sample_block
    !> A block of samples. What is needed but not asked for stands in columns behind those that are handed over.
    type :: block_type
       integer :: count = 0                          !! Samples in it
+      integer :: piece = 1                          !! Of a string: the last one of the block before
       integer :: visible = 0                        !! Columns to hand over
       integer :: column(size(quantities)) = 0       !! First column of a quantity; 0: not needed
       real(wp), allocatable :: values(:, :)         !! (block_samples, columns); the first is the time
@@ -78,23 +78,6 @@ contains
          count = count + quantities(quantity)%columns
       end subroutine add
    end subroutine new_block
-
-   !> The times of the block that begins at a sample: i times the duration over the number of intervals, rounded once where
-   !> the product is exact.
-   pure subroutine set_times(samples, duration, first, block)
-      integer(int64), intent(in) :: samples, first            !! `first` is counted from 0
-      real(wp), intent(in) :: duration
-      type(block_type), intent(inout) :: block
-      real(wp) :: intervals
-      integer :: i
-
-      intervals = real(samples - 1, wp)
-      block%count = int(min(int(block_samples, int64), samples - first))
-      do i = 1, block%count
-         block%values(i, 1) = real(first + i - 1, wp)*duration/intervals
-      end do
-      if (first + block%count == samples) block%values(block%count, 1) = duration
-   end subroutine set_times
 
    !> Inclination, and azimuth but of one orbit, which counts turns. Places are relative to the pivot still.
    pure subroutine fill_angles(is_one_orbit, block)

@@ -8,6 +8,7 @@ module kyvadlo_simulate
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_sample_block
+   use kyvadlo_sample_times, only: last_before, set_times
    use kyvadlo_samples, only: sample_sink_type, scene_event_type
    use kyvadlo_scene_groups, only: moving_pivot_group, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
@@ -49,7 +50,8 @@ contains
       goes_on = .not. allocated(error)
       first = 0
       do while (first < simulation%settings%samples .and. goes_on)
-         call set_times(simulation%settings%samples, path%duration, first, block)
+         block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
+         call set_times(simulation%settings%samples, path%duration, first, block%values(:block%count, 1))
          select case (path%path)
          case (path_constant)
             call fill_constant(path, block)
@@ -115,7 +117,7 @@ contains
             noted = noted + 1
             call sink%note(scene_event(simulation, path, events(noted)))
          end do
-         if (noted < size(events)) last = first - 1 + count(block%values(first:block%count, 1) < events(noted + 1)%time)
+         if (noted < size(events)) last = last_before(block%values(:block%count, 1), first, events(noted + 1)%time)
          call sink%take(block%values(first:last, :block%visible), goes_on)
          first = last + 1
       end do

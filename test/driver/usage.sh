@@ -38,6 +38,9 @@ run bench --functions --quick
 expect_status 0
 expect_match '^R_F .*[0-9]'
 expect_match '^sn cn dn .*[0-9]'
+run bench --scenes --quick
+expect_status 0
+expect_match '^places and velocities: scene .*[0-9]'
 run bench --motion --quick
 expect_status 0
 expect_match 'x86-64  *> 1/2  *place and velocity .*[0-9]'
