@@ -40,7 +40,8 @@ contains
       type(study_orbit_type), intent(in) :: orbit
       integer, parameter :: levels(*) = [1, 2, 3, 4, 5, 6, 7]
       integer, parameter :: duplications(*) = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12]
-      integer, parameter :: nodes(*) = [4, 6, 8, 12, 16, 24, 32, 48, 64]
+      ! Rules that GSL has tables of; others it computes, that of 48 nodes to 12 digits only.
+      integer, parameter :: nodes(*) = [4, 6, 8, 10, 12, 16, 20, 32, 64]
       integer, parameter :: sine_terms(*) = [1, 2, 4, 8, 16, 32, 64, 128]
       integer, parameter :: decades(*) = [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]
       character(len=6), parameter :: modes(0:2) = ['double', 'single', 'approx']
