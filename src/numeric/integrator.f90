@@ -174,11 +174,17 @@ contains
    !> Gives the memory back.
    subroutine finish(run)
       type(integration_type), intent(inout) :: run
-      type(integration_type) :: blank
 
       call free_stepper(run%stepper)
-      run = blank
+      call forget(run)
    end subroutine finish
+
+   !> Everything as in a run that has not begun.
+   subroutine forget(run)
+      type(integration_type), intent(out) :: run
+
+      run%event_count = 0
+   end subroutine forget
 
    !> One step. It ends at the time asked for if that is the only one in it; if the next may be expected in it too it goes
    !> its own way, so that where the samples lie has no part in the steps.
