@@ -40,6 +40,7 @@ contains
       integer :: noted
       logical :: goes_on, is_one_orbit
 
+      if (present(check)) check = check_type()
       is_one_orbit = path%path == path_closed_form .or. path%path == path_constant
       call new_block(simulation, is_one_orbit, block)
       call sink%begin(columns_of(simulation))
