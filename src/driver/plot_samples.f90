@@ -126,8 +126,9 @@ contains
       if (allocated(error)) return
       unfinished = unfinished_name(picture)
       if (unfinished == '') unfinished = plot%picture   ! a device
-      command = 'gnuplot -e '//shell_word('folder='//gnuplot_text(folder_of(plot%stem))//';picture='//gnuplot_text(unfinished)) &
-         //' '//shell_word(plot%stem//'.gp')
+      ! Titles are UTF-8, of which gnuplot would complain in the locale C.
+      command = 'LC_ALL=C.UTF-8 gnuplot -e '//shell_word('folder='//gnuplot_text(folder_of(plot%stem))//';picture='// &
+         gnuplot_text(unfinished))//' '//shell_word(plot%stem//'.gp')
       call execute_command_line(command, exitstat=status, cmdstat=command_status)
       if (status /= 0 .or. command_status /= 0) then
          call discard_output(picture)
