@@ -24,10 +24,9 @@ module kyvadlo_study_command
    private
    public :: study_command
 
-   !> Seconds of measuring a cell, and the longest pass: `--quick` stays under 20 s, the full study under 5 minutes, on two cores of
-   !> a common server (doc/accuracy.md says how long it took).
+   !> Seconds of measuring a cell, and of the longest pass, with which `--quick` stays under 20 s on two cores of a common server;
+   !> with those of `study_type` the full study stays under 5 minutes.
    real(real64), parameter :: quick_seconds = 0.002_real64, quick_cap = 0.03_real64
-   real(real64), parameter :: full_seconds = 0.02_real64, full_cap = 0.4_real64
 
 contains
 
@@ -47,8 +46,10 @@ contains
       old = fgsl_set_error_handler_off()
 #endif
       study%quick = option_given(arguments, '--quick')
-      study%seconds = merge(quick_seconds, full_seconds, study%quick)
-      study%cap = merge(quick_cap, full_cap, study%quick)
+      if (study%quick) then
+         study%seconds = quick_seconds
+         study%cap = quick_cap
+      end if
       call seconds_option(arguments, study, error)
       if (allocated(error)) return
       call read_orbits(arguments, orbits, cubics, error)

@@ -12,7 +12,7 @@ contains
    !> Comments, the header, a line for each cell.
    subroutine write_csv(study, has_own_orbits, sink)
       type(study_type), intent(in) :: study
-      logical, intent(in) :: has_own_orbits      !! Orbits of scenes are among them
+      logical, intent(in) :: has_own_orbits      !! The orbits are those of scenes
       class(text_sink_type), intent(inout) :: sink
       character(len=100) :: line
       integer :: i
@@ -22,8 +22,11 @@ contains
          study%cap, ' s.'
       call sink%put(trim(line))
       call sink%put('# Times in nanoseconds a result: median, lower and upper quartile of the passes.')
-      call sink%put('# Errors against values of mpmath at 36 digits or more.')
-      if (has_own_orbits) call sink%put('# Orbits of scenes: errors against our real128 path, so those of real128 say nothing.')
+      if (has_own_orbits) then
+         call sink%put('# Orbits of scenes: errors against our real128 path, so those of real128 say nothing.')
+      else
+         call sink%put('# Errors against values of mpmath at 36 digits or more.')
+      end if
       call sink%put(csv_header)
       do i = 1, study%count
          call sink%put(csv_line(study%cells(i)))

@@ -3,7 +3,9 @@ module kyvadlo_study_period
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
    use kyvadlo
-   use kyvadlo_study_period_gsl, only: free_table, gauss_period, gsl_k_period, gsl_table_type, has_gsl, new_table, qag_period
+   use kyvadlo_study_accuracy, only: accuracies, accuracy_names, set_up_to_accuracy
+   use kyvadlo_study_period_gsl, only: free_table, gauss_period, gsl_k_period, gsl_table_type, has_gsl, new_table, &
+      qag_period
    use kyvadlo_study_period_methods
    use kyvadlo_study_orbits, only: study_orbit_type
    use kyvadlo_study_record, only: cell_type, measure, study_type, work_type
@@ -16,12 +18,12 @@ module kyvadlo_study_period
    integer, parameter :: copies = 64
 
    integer, parameter :: by_set_up_32 = 1, by_set_up_64 = 2, by_set_up_128 = 3, by_gaps = 4, by_agm = 5, by_carlson = 6, &
-      by_gsl = 7, by_gauss = 8, by_qag = 9, by_amplitude = 10, by_sine = 11, by_ellipse = 12, by_gaps_of_many = 13
+      by_gsl = 7, by_gauss = 8, by_qag = 9, by_amplitude = 10, by_sine = 11, by_ellipse = 12, by_gaps_of_many = 13, by_accuracy = 14
 
    type, extends(work_type) :: period_work_type
       integer :: method = 0
       integer :: count = 0                  !! Of iterations, terms, nodes; mode of GSL's integrals
-      real(real64) :: tolerance = 0
+      real(real64) :: tolerance = 0         !! Of the adaptive quadrature; the accuracy asked for
       type(gsl_table_type) :: table
       type(study_start_type) :: starts(copies)
       real(real64) :: found(copies) = 0     !! Results in single or double precision
@@ -43,9 +45,12 @@ contains
       ! Rules that GSL has tables of; others it computes, that of 48 nodes to 12 digits only.
       integer, parameter :: nodes(*) = [4, 6, 8, 10, 12, 16, 20, 32, 64]
       integer, parameter :: sine_terms(*) = [1, 2, 4, 8, 16, 32, 64, 128]
-      integer, parameter :: decades(*) = [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]
+      ! GSL refuses a relative tolerance below 50 epsilon, 1.1e-14.
+      integer, parameter :: decades(*) = [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13]
       character(len=6), parameter :: modes(0:2) = ['double', 'single', 'approx']
+      type(accurate_orbit_type) :: chosen
       character(len=8) :: tolerance_text
+      logical :: has_failed
       integer :: i
 
       call one(by_set_up_32, 0, 'closed_form', 'set-up', 'real32')
@@ -53,6 +58,11 @@ contains
       call one(by_gaps, 0, 'closed_form', 'period_from_gaps', 'real64')
       call one(by_gaps_of_many, 0, 'closed_form', 'periods_from_gaps', 'real64')
       call one(by_set_up_128, 0, 'closed_form', 'set-up', 'real128')
+      ! By the set-up of an orbit to an accuracy; of no span, as nothing is asked but T.
+      do i = merge(2, 1, study%quick), size(accuracies), merge(2, 1, study%quick)
+         call set_up_to_accuracy(orbit%start, accuracies(i), 0.0_real64, chosen, has_failed)
+         call one(by_accuracy, i, 'closed_form', 'accuracy '//trim(accuracy_names(i)), period_kind(chosen))
+      end do
       do i = 1, size(levels)
          if (study%quick .and. mod(i, 2) == 0) cycle
          call one(by_agm, levels(i), 'agm_terms', numbered('', levels(i)), 'real64')
@@ -70,7 +80,7 @@ contains
             call one(by_gauss, nodes(i), 'gauss_legendre', numbered('', nodes(i)), 'real64')
          end do
          do i = 1, size(decades)
-            if (study%quick .and. mod(i, 4) /= 0) cycle
+            if (study%quick .and. mod(i, 4) /= 3) cycle
             write (tolerance_text, '("1e-",i0)') decades(i)
             call one(by_qag, decades(i), 'gsl_qag', tolerance_text, 'real64')
          end do
@@ -106,11 +116,21 @@ contains
             call new_table(work%table, 0)
             work%tolerance = 10.0_real64**(-count)
          end if
+         if (method == by_accuracy) work%tolerance = accuracies(count)
          cell = cell_type(question='period', orbit=orbit%name, method=name, setting=setting, kind=kind)
          call measure(study, work, cell)
          call free_table(work%table)
       end subroutine one
    end subroutine ask_period
+
+   !> The kind of T: places in single precision have theirs from double.
+   function period_kind(orbit) result(name)
+      type(accurate_orbit_type), intent(in) :: orbit
+      character(len=:), allocatable :: name
+
+      name = merge('real128', 'real64 ', allocated(orbit%wide))
+      name = trim(name)
+   end function period_kind
 
    !> A setting: a word, which may be empty, and a number.
    function numbered(word, number) result(text)
@@ -128,6 +148,7 @@ contains
       type(orbit_type_real32) :: single
       type(orbit_type) :: double
       type(orbit_type_real128) :: quad
+      type(accurate_orbit_type) :: accurate
       type(error_type), allocatable :: error
       real(real64) :: gaps(copies, 2)
       integer(int64) :: evaluations
@@ -149,6 +170,15 @@ contains
          do i = 1, copies
             call set_up_orbit(work%starts(i), quad, error)
             work%quads(i) = height_period(quad)
+         end do
+      case (by_accuracy)
+         do i = 1, copies
+            call set_up_to_accuracy(work%starts(i), work%tolerance, 0.0_real64, accurate, work%has_failed)
+            if (allocated(accurate%wide)) then
+               work%quads(i) = height_period(accurate%wide)
+            else
+               work%found(i) = height_period(accurate)
+            end if
          end do
       case (by_gaps_of_many)
          do i = 1, copies

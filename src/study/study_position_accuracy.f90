@@ -6,14 +6,16 @@ module kyvadlo_study_accuracy
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest
    use kyvadlo_study_record, only: study_type
+   use kyvadlo_study_start, only: study_start_type
    implicit none
    private
-   public :: ask_accuracies, accuracies
+   public :: ask_accuracies, set_up_to_accuracy, accuracies, accuracy_names
 
    !> What is asked for, and what it is called; a quick study asks for every second one, 1e-6 first.
    real(real64), parameter :: accuracies(7) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, 1e-20_real64, &
       1e-30_real64]
-   character(len=5), parameter :: names(7) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', '1e-20', '1e-30']
+   character(len=5), parameter :: accuracy_names(7) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', '1e-20', &
+      '1e-30']
 
    type, extends(places_type) :: accurate_type
       type(accurate_orbit_type) :: orbit
@@ -44,9 +46,10 @@ contains
          work%accuracy = accuracies(i)
          call set_up(work)
          work%is_set_up = .false.
-         call ask(study, work, orbit, span, 'closed_form', 'accuracy '//trim(names(i)), kind_text(work%orbit))
+         call ask(study, work, orbit, span, 'closed_form', 'accuracy '//trim(accuracy_names(i)), kind_text(work%orbit))
          work%is_set_up = .true.
-         call ask(study, work, orbit, span, 'closed_form', 'to '//trim(names(i))//' after set-up', kind_text(work%orbit))
+         call ask(study, work, orbit, span, 'closed_form', 'to '//trim(accuracy_names(i))//' after set-up', &
+            kind_text(work%orbit))
       end do
    end subroutine ask_accuracies
 
@@ -77,10 +80,20 @@ contains
 
    subroutine set_up(work)
       type(accurate_type), intent(inout) :: work
+
+      call set_up_to_accuracy(work%start, work%accuracy, maxval(abs(work%times)), work%orbit, work%has_failed)
+   end subroutine set_up
+
+   !> The orbit of a start that keeps an accuracy for |time| <= span.
+   subroutine set_up_to_accuracy(start, accuracy, span, orbit, has_failed)
+      type(study_start_type), intent(in) :: start
+      real(real64), intent(in) :: accuracy, span
+      type(accurate_orbit_type), intent(out) :: orbit
+      logical, intent(out) :: has_failed
       type(error_type), allocatable :: error
 
-      call new_orbit_to_accuracy(work%orbit, merge(start_rises, start_gaps, work%start%by_rises), work%start%length, &
-         work%start%gravity, [work%start%first], [work%start%second], work%accuracy, maxval(abs(work%times)), error)
-      work%has_failed = allocated(error)
-   end subroutine set_up
+      call new_orbit_to_accuracy(orbit, merge(start_rises, start_gaps, start%by_rises), start%length, start%gravity, &
+         [start%first], [start%second], accuracy, span, error)
+      has_failed = allocated(error)
+   end subroutine set_up_to_accuracy
 end module kyvadlo_study_accuracy

@@ -28,8 +28,6 @@ module kyvadlo_study_integrators
       procedure :: error => integrator_error
    end type integrator_type
 
-   !> Longest time of a pass in a quick study [s].
-   real(real64), parameter :: quick_cap = 0.05_real64
    !> Between two looks at the clock.
    integer(fgsl_long), parameter :: steps_at_once = 500
    !> GSL_EMAXITER: so many steps were not enough, but nothing else is wrong.
@@ -37,8 +35,8 @@ module kyvadlo_study_integrators
 
 contains
 
-   !> Every method in both coordinates at tolerances from 1e-3 to 1e-14; at fewer over 1000 periods, where a cell takes up to a
-   !> second. Behind a tolerance that took too long the tighter ones are not tried.
+   !> Every method in both coordinates at tolerances from 1e-3 to 1e-14; at fewer over 1000 periods, where a cell takes as long as
+   !> the cap lets it. Behind a tolerance that took too long the tighter ones are not tried.
    subroutine ask_integrators(study, orbit, span)
       type(study_type), intent(inout) :: study
       type(study_orbit_type), intent(in) :: orbit
@@ -47,13 +45,10 @@ contains
       type(fgsl_error_handler_t) :: old
       character(len=24) :: setting
       integer :: method, coordinates, digits
-      real(real64) :: cap
       logical :: is_too_long
 
       ! The study belongs to the program, which may.
       old = fgsl_set_error_handler_off()
-      cap = study%cap
-      if (study%quick) study%cap = min(cap, quick_cap)
       allocate (work)
       do method = 1, size(method_names)
          do coordinates = cartesian, spherical
@@ -74,7 +69,6 @@ contains
             end do
          end do
       end do
-      study%cap = cap
    end subroutine ask_integrators
 
    !> Whether a tolerance of 10**(-digits) is among those of a study.

@@ -17,6 +17,7 @@ module kyvadlo_study_by_point
    public :: ask_jacobi_series, ask_carlson_point, ask_small_angle
 
    integer, parameter :: wp = real64
+   real(wp), parameter :: pi = acos(-1.0_wp)
 
    !> What all of them have in common.
    type, abstract, extends(places_type) :: point_type
@@ -149,28 +150,37 @@ contains
       work%sink = work%sink + sum(work%x) + sum(work%y) + sum(work%z)
    end subroutine jacobi_series_pass
 
-   !> From the nearest lowest point, dphi = c2/2l (1/(l - z) + 1/(l + z)) dt with z = z2 + (z1 - z2) sn**2 w.
+   !> From the nearest lowest point, dphi = c2/2l (1/(l - z) + 1/(l + z)) dt with z = z2 + (z1 - z2) sn**2 w. In a plane through the
+   !> vertical c2 and l + z2 vanish: the integrals have no value, but their limit is half a turn at the lowest point.
    subroutine integrals_pass(work)
       class(integrals_type), intent(inout) :: work
       type(error_type), allocatable :: error
       type(orbit_type) :: orbit
       type(characteristic_type) :: n(2)
       real(wp) :: rate, factor(2), half, turns, sn, cn, dn, am, phi
+      logical :: is_plane
       integer :: i
 
       call set_up_orbit(work%start, orbit, error)
       work%has_failed = allocated(error)
       rate = phase_rate(orbit)
       associate (turning => orbit%turning, m => orbit%parameter, mc => orbit%complementary_parameter)
-         n = [characteristic_type(turning%swing/turning%lower_gap, turning%top_gap/turning%lower_gap), &
-            characteristic_type(-turning%swing/turning%lower_rise, turning%upper_rise/turning%lower_rise)]
-         factor = orbit_momentum(orbit)/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
-         half = factor(1)*complete_third(work%by, n(1), m, mc) + factor(2)*complete_third(work%by, n(2), m, mc)
+         is_plane = .not. turning%lower_rise > 0
+         if (.not. is_plane) then
+            n = [characteristic_type(turning%swing/turning%lower_gap, turning%top_gap/turning%lower_gap), &
+               characteristic_type(-turning%swing/turning%lower_rise, turning%upper_rise/turning%lower_rise)]
+            factor = orbit_momentum(orbit)/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
+            half = factor(1)*complete_third(work%by, n(1), m, mc) + factor(2)*complete_third(work%by, n(2), m, mc)
+         end if
          do i = 1, n_times
             turns = anint(work%times(i)/orbit%period%high - 0.5_wp) + 0.5_wp
             call jacobi_by(work%by, rate*since(orbit, work%times(i), turns), m, mc, sn, cn, dn, am)
-            phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, mc, sn, cn, dn) &
-               + factor(2)*third(work%by, n(2), am, m, mc, sn, cn, dn)
+            if (is_plane) then
+               phi = turns*pi + sign(pi/2, sn)
+            else
+               phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, mc, sn, cn, dn) &
+                  + factor(2)*third(work%by, n(2), am, m, mc, sn, cn, dn)
+            end if
             call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%top_gap + turning%swing*cn**2, phi)
          end do
       end associate

@@ -32,7 +32,7 @@ module kyvadlo_study_record
       integer :: count = 0
       logical :: quick = .false.                    !! Fewer settings
       real(real64) :: seconds = 0.02_real64         !! Of measuring, for each cell
-      real(real64) :: cap = 0.25_real64             !! Longest time of one pass [s]
+      real(real64) :: cap = 0.4_real64              !! Longest time of one pass [s]
       real(real64) :: checksum = 0                  !! Of everything computed, so that nothing can be left out
       procedure(progress_hook), pointer, nopass :: progress => null() !! Told of every cell
    end type study_type
