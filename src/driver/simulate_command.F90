@@ -39,6 +39,7 @@ contains
       call check_options(arguments, accuracy, error)
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy)
+      if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command
@@ -85,6 +86,22 @@ contains
       if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
    end subroutine check_options
+
+   !> Whether the integrator, and the check at a tenth, take the accuracy: rounding in a step is near 1e-15.
+   subroutine check_tolerance(path, is_checked, error)
+      type(path_type), intent(in) :: path
+      logical, intent(in) :: is_checked
+      type(error_type), allocatable, intent(out) :: error
+
+      if (path%path /= path_integrated) return
+      if (is_checked .and. .not. path%tolerance/10 >= 1e-15_wp) then
+         call fail(error, code_input, 'option --accuracy must be at least 1e-14 beside --check, which takes a tenth of it, got ' &
+            //digits_text(path%tolerance, 2))
+      else if (.not. path%tolerance >= 1e-15_wp) then
+         call fail(error, code_input, 'option --accuracy must be at least 1e-15 for a scene that is integrated, got ' &
+            //digits_text(path%tolerance, 2))
+      end if
+   end subroutine check_tolerance
 
    !> Opens the files, computes, and gives them their names when they are whole.
    subroutine run(arguments, simulation, path, error)

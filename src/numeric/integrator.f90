@@ -21,6 +21,7 @@ module kyvadlo_integrator
    use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
    use kyvadlo_string, only: string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
+   use kyvadlo_turned_azimuth, only: turned_azimuth
    implicit none
    private
    public :: integration_type, new_integration, advance, finish, integrate
@@ -43,6 +44,8 @@ module kyvadlo_integrator
       logical, private :: has_contact = .false.        !! The last step ended where the string goes slack or taut
       logical, private :: is_at_knot = .false.         !! ... or at a knot of the table
       integer, private :: between = unknown            !! How samples in the last step are found
+      logical, private :: with_azimuth = .false.
+      real(wp), private :: azimuth = 0                 !! At the end of the last step, turns counted [rad]
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
@@ -62,7 +65,7 @@ contains
    !>
    !> A start off the surface of the suspension fails; with extra lengths it is moved to the nearest point of the surface
    !> and a radial velocity is left out, an elastic pendulum may start anywhere.
-   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work)
+   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, with_azimuth)
       type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
@@ -70,6 +73,7 @@ contains
       real(wp), intent(in) :: tolerance                 !! 1e-15 to 0.1
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: with_work        !! .false.: works are not wanted, and zero (default .true.)
+      logical, intent(in), optional :: with_azimuth     !! Turns are counted, for `azimuths` of `advance` (default .false.)
       type(forces_type) :: forces
       real(wp) :: p(3), v(3), distance, outward(3), bending, acceleration(3), tension, powers(2)
       logical :: is_taut, wants_work
@@ -100,6 +104,8 @@ contains
 
       wants_work = .true.
       if (present(with_work)) wants_work = with_work
+      if (present(with_azimuth)) run%with_azimuth = with_azimuth
+      if (run%with_azimuth) run%azimuth = turned_azimuth(p(1), p(2), 0.0_wp)
       run%tolerance = tolerance
       run%unit_length = length
       run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
@@ -127,13 +133,14 @@ contains
    end subroutine count_from_here
 
    !> The motion at ascending times, none before those of the call before. At a failure what follows is NaN.
-   subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)
+   subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error, azimuths)
       type(integration_type), intent(inout) :: run
       real(wp), intent(in) :: times(:)                           !! (n) from 0 on [s]
       real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n) relative to the pivot [m], [m/s]
       real(wp), intent(out) :: tensions(:)                       !! (n) force of rod or string over the bob's mass [m/s2]
       real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n) on the bob since time 0, per mass [m2/s2]
       type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(out), optional :: azimuths(:)             !! (n) turns counted from step to step [rad]
       real(wp) :: gap
       logical :: failed
       integer :: i
@@ -161,6 +168,7 @@ contains
          end if
          if (allocated(error)) exit
          call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
+         if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), run%azimuth)
          run%last_time = times(i)
       end do
       if (.not. allocated(error)) return
@@ -169,6 +177,7 @@ contains
       tensions(i:) = ieee_value(gap, ieee_quiet_nan)
       drag_work(i:) = ieee_value(gap, ieee_quiet_nan)
       pivot_work(i:) = ieee_value(gap, ieee_quiet_nan)
+      if (present(azimuths)) azimuths(i:) = ieee_value(gap, ieee_quiet_nan)
    end subroutine advance
 
    !> Gives the memory back.
@@ -218,6 +227,8 @@ contains
          if (failed) return
          if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
          run%is_at_knot = stepper%time >= knot
+         if (run%with_azimuth) run%azimuth = turned_azimuth(stepper%problem%base(1) + stepper%y(1), &
+            stepper%problem%base(2) + stepper%y(2), run%azimuth)
          run%steps = run%steps + 1
          run%rejected = stepper%rejected
          if (is_far) then

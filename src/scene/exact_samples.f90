@@ -8,6 +8,7 @@ module kyvadlo_exact_samples
    use kyvadlo_sample_block, only: block_samples, block_type
    use kyvadlo_sample_times, only: last_before
    use kyvadlo_simulation_path, only: path_type
+   use kyvadlo_turned_azimuth, only: turned_azimuth
    implicit none
    private
    public :: fill_constant, fill_closed_form, fill_string
@@ -42,7 +43,8 @@ contains
       type(block_type), intent(inout) :: block
 
       associate (n => block%count, column => block%column)
-         if (column(quantity_energy) > 0) block%values(:n, column(quantity_energy)) = path%inertia*orbit_energy(path%orbit)
+         if (column(quantity_energy) > 0) block%values(:n, column(quantity_energy)) = &
+            path%inertia*orbit_energy(path%orbit) + path%pivot_energy
          if (column(quantity_momentum) > 0) block%values(:n, column(quantity_momentum)) = orbit_momentum(path%orbit)
       end associate
       call fill_no_work(block)
@@ -120,13 +122,17 @@ contains
 
       associate (values => block%values, string => path%string, n => block%count, p => block%column(quantity_position), &
          v => block%column(quantity_velocity), tension_column => block%column(quantity_tension), &
-         energy => block%column(quantity_energy), momentum => block%column(quantity_momentum))
+         energy => block%column(quantity_energy), momentum => block%column(quantity_momentum), &
+         azimuth_column => block%column(quantity_azimuth))
          piece = block%piece
+         if (azimuth_column > 0 .and. .not. values(1, 1) > 0) &
+            block%azimuth = turned_azimuth(string%pieces(1)%position(1), string%pieces(1)%position(2), 0.0_wp)
          first = 1
          do while (first <= n)
             ! The piece of this sample, and the last sample in it.
             do while (piece < size(string%pieces))
                if (string%pieces(piece + 1)%start > values(first, 1)) exit
+               if (azimuth_column > 0) block%azimuth = azimuth_after(string, piece, block%azimuth)
                piece = piece + 1
             end do
             last = n
@@ -136,22 +142,38 @@ contains
                call place_samples(string%pieces(piece)%orbit, since(first:last), first, block)
                if (tension_column > 0) values(first:last, tension_column) = &
                   path%inertia*rod_force(string%pieces(piece)%orbit, since(first:last))
+               if (azimuth_column > 0) values(first:last, azimuth_column) = block%azimuth &
+                  + (azimuth(string%pieces(piece)%orbit, since(first:last)) - azimuth(string%pieces(piece)%orbit, 0.0_wp))
             else
                do i = first, last
                   call locate_on_string(string, values(i, 1), position, velocity, tension)
                   if (p > 0) values(i, p:p + 2) = position
                   if (v > 0) values(i, v:v + 2) = velocity
                   if (tension_column > 0) values(i, tension_column) = tension
+                  if (azimuth_column > 0) values(i, azimuth_column) = turned_azimuth(position(1), position(2), block%azimuth)
                end do
             end if
             first = last + 1
          end do
          block%piece = piece
          if (energy > 0) values(:n, energy) = path%inertia*((values(:n, v)**2 + values(:n, v + 1)**2 &
-            + values(:n, v + 2)**2)/2 + string%gravity*values(:n, p + 2))
+            + values(:n, v + 2)**2)/2 + string%gravity*values(:n, p + 2)) + path%pivot_energy
          if (momentum > 0) values(:n, momentum) = values(:n, p)*values(:n, v + 1) - values(:n, p + 1)*values(:n, v)
       end associate
       call fill_no_work(block)
    end subroutine fill_string
+
+   !> The azimuth at the end of a piece of the motion, from that at its start: a swing counts its turns, a flight is straight.
+   pure real(wp) function azimuth_after(string, piece, at_start) result(at_end)
+      type(string_motion_type), intent(in) :: string
+      integer, intent(in) :: piece            !! Not the last
+      real(wp), intent(in) :: at_start        !! [rad]
+
+      at_end = at_start
+      associate (this => string%pieces(piece), next => string%pieces(piece + 1))
+         if (this%is_taut) at_end = at_start + (azimuth(this%orbit, next%start - this%start) - azimuth(this%orbit, 0.0_wp))
+         at_end = turned_azimuth(next%position(1), next%position(2), at_end)
+      end associate
+   end function azimuth_after
 
 end module kyvadlo_exact_samples

@@ -31,13 +31,14 @@ contains
       logical, intent(in) :: is_checked                       !! A second run at a tenth of the tolerance is compared
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: position(3), velocity(3)
-      logical :: with_work
+      logical :: with_work, with_azimuth
 
       call locate(path%orbit, 0.0_wp, position, velocity)
       with_work = any(block%column([quantity_drag_work, quantity_pivot_work]) > 0)
+      with_azimuth = block%column(quantity_azimuth) > 0
       allocate (integrated%positions(3, block_samples), integrated%velocities(3, block_samples))
       call new_integration(integrated%run, path%effects, path%length, path%gravity, position, velocity, path%tolerance, &
-         error, with_work)
+         error, with_work, with_azimuth)
       integrated%is_checked = is_checked
       if (allocated(error) .or. .not. is_checked) return
       allocate (integrated%other_positions(3, block_samples), integrated%other_velocities(3, block_samples))
@@ -56,8 +57,13 @@ contains
 
       associate (values => block%values, n => block%count, column => block%column, &
          positions => integrated%positions, velocities => integrated%velocities)
-         call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
-            error)
+         if (column(quantity_azimuth) > 0) then
+            call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
+               error, values(:n, column(quantity_azimuth)))
+         else
+            call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
+               error)
+         end if
          if (allocated(error)) return
          do i = 1, 3
             if (column(quantity_position) > 0) values(:n, column(quantity_position) + i - 1) = positions(i, :n)

@@ -30,7 +30,8 @@ module kyvadlo_quantities
          'angular momentum per mass about the vertical'), &
       quantity_type('tension', 1, [character(len=11) :: 'tension', '', ''], 'm s-2', &
          'force of the rod or string per mass, positive towards the pivot'), &
-      quantity_type('azimuth', 1, [character(len=11) :: 'azimuth', '', ''], 'rad', 'azimuth of the bob from the x axis'), &
+      quantity_type('azimuth', 1, [character(len=11) :: 'azimuth', '', ''], 'rad', &
+         'azimuth of the bob from the x axis, turns counted'), &
       quantity_type('inclination', 1, [character(len=11) :: 'inclination', '', ''], 'rad', &
          'angle from the downward vertical'), &
       quantity_type('drag_work', 1, [character(len=11) :: 'drag_work', '', ''], 'm2 s-2', &

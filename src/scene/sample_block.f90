@@ -9,7 +9,7 @@ module kyvadlo_sample_block
    use kyvadlo_turning_frame, only: seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, fill_angles, fill_speed, move_with_pivot, turn_frame
+   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate_batch`.
    integer, parameter :: block_samples = 8192
@@ -18,12 +18,11 @@ module kyvadlo_sample_block
    type :: block_type
       integer :: count = 0                          !! Samples in it
       integer :: piece = 1                          !! Of a string: the last one of the block before
+      real(wp) :: azimuth = 0                       !! ... and the azimuth at its start, turns counted [rad]
       integer :: visible = 0                        !! Columns to hand over
       integer :: column(size(quantities)) = 0       !! First column of a quantity; 0: not needed
       real(wp), allocatable :: values(:, :)         !! (block_samples, columns); the first is the time
    end type block_type
-
-   real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
 
@@ -51,7 +50,7 @@ contains
    !> Gives every quantity its columns, and those it is derived from.
    subroutine new_block(simulation, is_one_orbit, block)
       type(simulation_type), intent(in) :: simulation
-      logical, intent(in) :: is_one_orbit                     !! Its azimuth comes without places
+      logical, intent(in) :: is_one_orbit                     !! Its constants come without places
       type(block_type), intent(out) :: block
       integer :: i, count
 
@@ -61,10 +60,7 @@ contains
       end do
       block%visible = count
       if (block%column(quantity_speed) > 0) call add(quantity_velocity)
-      if (.not. is_one_orbit) then
-         if (any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
-         if (block%column(quantity_azimuth) > 0) call add(quantity_position)
-      end if
+      if (.not. is_one_orbit .and. any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
       if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0) call add(quantity_position)
       allocate (block%values(block_samples, count))
 
@@ -79,17 +75,15 @@ contains
       end subroutine add
    end subroutine new_block
 
-   !> Inclination, and azimuth but of one orbit, which counts turns. Places are relative to the pivot still.
-   pure subroutine fill_angles(is_one_orbit, block)
-      logical, intent(in) :: is_one_orbit
+   !> Inclination. Places are relative to the pivot still.
+   pure subroutine fill_inclination(block)
       type(block_type), intent(inout) :: block
 
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
-         inclination => block%column(quantity_inclination), azimuth => block%column(quantity_azimuth))
+         inclination => block%column(quantity_inclination))
          if (inclination > 0) values(:n, inclination) = atan2(hypot(values(:n, p), values(:n, p + 1)), -values(:n, p + 2))
-         if (azimuth > 0 .and. .not. is_one_orbit) values(:n, azimuth) = atan2(values(:n, p + 1), values(:n, p))
       end associate
-   end subroutine fill_angles
+   end subroutine fill_inclination
 
    !> Magnitude of the velocity as it is shown.
    pure subroutine fill_speed(block)
@@ -119,20 +113,15 @@ contains
    end subroutine move_with_pivot
 
    !> The motion seen from a frame that turns about the vertical. Energy, momentum and tension stay those of the resting one.
-   pure subroutine turn_frame(rate, is_one_orbit, block)
+   pure subroutine turn_frame(rate, block)
       real(wp), intent(in) :: rate                            !! [rad/s]
-      logical, intent(in) :: is_one_orbit                     !! Its azimuth counts turns
       type(block_type), intent(inout) :: block
       real(wp) :: position(3), velocity(3)
       integer :: i
 
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
          v => block%column(quantity_velocity), azimuth_column => block%column(quantity_azimuth))
-         if (azimuth_column > 0) then
-            values(:n, azimuth_column) = values(:n, azimuth_column) - rate*values(:n, 1)
-            if (.not. is_one_orbit) values(:n, azimuth_column) = values(:n, azimuth_column) &
-               - 2*pi*anint(values(:n, azimuth_column)/(2*pi))
-         end if
+         if (azimuth_column > 0) values(:n, azimuth_column) = values(:n, azimuth_column) - rate*values(:n, 1)
          if (p == 0) return
          velocity = 0
          do i = 1, n

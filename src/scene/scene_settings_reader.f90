@@ -10,7 +10,7 @@ module kyvadlo_scene_settings_reader
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: settings_type
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: integer_text, shown, split_words
+   use kyvadlo_text, only: integer_text, lower_case, shown, split_words
    implicit none
    private
    public :: settings_from_groups
@@ -141,7 +141,7 @@ contains
          case (rule_count)
             ! Whole numbers are exact in a double up to 1/epsilon.
             holds = numbers(i) >= 2 .and. numbers(i) <= 1/epsilon(1.0_wp) .and. abs(numbers(i) - anint(numbers(i))) <= 0
-            rule = 'be a whole number, at least 2'
+            rule = 'be a whole number from 2 to 4.5e15'
          case default
             holds = .true.
             rule = ''
@@ -225,7 +225,7 @@ contains
          .or. is_given(values, air_group, 'quadratic'))) then
          do i = 1, 2
             if (.not. is_given(values, air_group, of_sphere(i))) call complain(error, chosen%line(air_group), &
-               '&air: '//trim(of_sphere(i))//' is missing; give linear and quadratic, or diameter and mass of a sphere')
+               '&air: '//trim(of_sphere(i))//' is missing; give linear or quadratic, or diameter and mass of a sphere')
          end do
       end if
       do i = 1, size(of_drive)
@@ -299,7 +299,7 @@ contains
       if (count == 0) call fail(error, code_input, place//'quantities names none; known are '//known_quantities())
       do i = 1, count
          associate (word => blank(first(i):last(i)))
-            found = findloc(quantities%name == word, .true., 1)
+            found = findloc(quantities%name == lower_case(word), .true., 1)
             if (found == 0) then
                call fail(error, code_input, place//'unknown quantity '//shown(word)//'; known are '//known_quantities())
             else if (any(chosen == found)) then

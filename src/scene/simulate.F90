@@ -66,10 +66,9 @@ contains
             if (allocated(error)) exit
 #endif
          end select
-         call fill_angles(is_one_orbit, block)
+         call fill_inclination(block)
          if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
-         if (simulation%settings%given(turning_frame_group)) &
-            call turn_frame(simulation%settings%frame_rate, is_one_orbit, block)
+         if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)
          call fill_speed(block)
          select case (path%path)
          case (path_string)
@@ -134,7 +133,9 @@ contains
 
       event%time = from%time
       event%position = from%position
-      event%energy_lost = path%inertia*from%energy_lost
+      event%energy_lost = from%energy_lost
+      ! The integrator knows of the fluid.
+      if (path%path == path_string) event%energy_lost = path%inertia*from%energy_lost
       if (in_laboratory(simulation)) then
          call pivot_motion(path%effects, from%time, displacement, velocity)
          event%position = event%position + displacement

@@ -2,10 +2,11 @@
 module kyvadlo_simulation_path
    use kyvadlo
    use kyvadlo_accuracy, only: accurate_orbit_type, choice_text, new_orbit_to_accuracy
-   use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
+   use kyvadlo_buoyancy, only: effective_gravity, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
+   use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
@@ -32,6 +33,7 @@ module kyvadlo_simulation_path
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
       type(string_motion_type) :: string        !! Of `path_string`
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
+      real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
       real(wp) :: tolerance = 0                 !! Of a step of `path_integrated`
       character(len=:), allocatable :: method   !! In words
@@ -63,7 +65,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
       type(pendulum_type) :: pendulum
-      real(wp) :: position(3), velocity(3)
+      real(wp) :: position(3), velocity(3), displacement(3)
 
       associate (settings => simulation%settings)
          pendulum = simulation%pendulum
@@ -80,6 +82,10 @@ contains
 
          call effects_of(simulation, path%effects, error)
          if (allocated(error)) return
+         if (.not. any_effect(path%effects)) then
+            call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
+            path%pivot_energy = effective_weight(path%gravity, settings%density_ratio)*displacement(3)
+         end if
          if (any_effect(path%effects)) then
             if (.not. with_gsl) then
                call fail(error, code_unsupported, place_of(settings%file, maxval(settings%line(integrated))) &
@@ -108,7 +114,7 @@ contains
             path%path = path_closed_form
             path%method = closed_form_words(path%orbit)
             path%reason = 'no effect without a closed form is asked for'
-            if (integrated_groups(simulation) /= '') path%reason = integrated_groups(simulation)//': all coefficients are zero'
+            if (integrated_groups(simulation) /= '') path%reason = integrated_groups(simulation)//': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
             if (present(accuracy)) call plan_accuracy(pendulum, accuracy, path, error)
          end if
