@@ -10,6 +10,7 @@ module kyvadlo_bench_scenes
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: parse_simulation, simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type
+   use kyvadlo_stopwatch, only: median
    use kyvadlo_text, only: text_sink_type
    implicit none
    private
@@ -209,24 +210,5 @@ contains
 
       sink%bytes = sink%bytes + len(line)
    end subroutine put_none
-
-   pure real(wp) function median(values)
-      real(wp), intent(in) :: values(:)
-      real(wp) :: sorted(size(values)), x
-      integer :: i, j
-
-      sorted = values
-      do i = 2, size(sorted)
-         x = sorted(i)
-         j = i - 1
-         do while (j >= 1)
-            if (sorted(j) <= x) exit
-            sorted(j + 1) = sorted(j)
-            j = j - 1
-         end do
-         sorted(j + 1) = x
-      end do
-      median = sorted((size(sorted) + 1)/2)
-   end function median
 
 end module kyvadlo_bench_scenes

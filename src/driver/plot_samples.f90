@@ -4,6 +4,7 @@ module kyvadlo_plot_samples
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text
+   use kyvadlo_quoting, only: gnuplot_text, shell_word
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
    use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type, unfinished_name
@@ -226,37 +227,5 @@ contains
 
       folder = path(:index(path, '/', back=.true.))
    end function folder_of
-
-   !> A text of gnuplot: between single quotation marks, which are doubled inside.
-   pure function gnuplot_text(text) result(quoted)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: quoted
-
-      quoted = ''''//replaced(text, '''''')//''''
-   end function gnuplot_text
-
-   !> A word of the shell.
-   pure function shell_word(text) result(quoted)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: quoted
-
-      quoted = ''''//replaced(text, '''\''''')//''''
-   end function shell_word
-
-   !> Every single quotation mark replaced.
-   pure function replaced(text, by) result(new)
-      character(len=*), intent(in) :: text, by
-      character(len=:), allocatable :: new
-      integer :: i
-
-      new = ''
-      do i = 1, len(text)
-         if (text(i:i) == '''') then
-            new = new//by
-         else
-            new = new//text(i:i)
-         end if
-      end do
-   end function replaced
 
 end module kyvadlo_plot_samples

@@ -3,6 +3,7 @@ module kyvadlo_study_command
    use, intrinsic :: iso_fortran_env, only: error_unit, real64
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_number_text, only: read_number
+   use kyvadlo_quoting, only: shell_word
    use kyvadlo_scene, only: pendulum_type_real128
    use kyvadlo_scene_reader, only: read_scene
    use kyvadlo_standard_io, only: close_output, discard_output, is_terminal, make_folder, message, open_output, output_type
@@ -197,25 +198,6 @@ contains
       call execute_command_line(command, exitstat=status, cmdstat=command_status)
       shell_says_yes = command_status == 0 .and. status == 0
    end function shell_says_yes
-
-   !> A word that the shell takes as it is.
-   pure function shell_word(text) result(word)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: word
-      integer :: i
-
-      ! A folder that begins with a dash is no option.
-      word = "'"
-      if (text(:1) == '-') word = "'./"
-      do i = 1, len(text)
-         if (text(i:i) == "'") then
-            word = word//"'\''"
-         else
-            word = word//text(i:i)
-         end if
-      end do
-      word = word//"'"
-   end function shell_word
 
    !> What is being measured, on the same line of the terminal.
    subroutine show_progress(count, cell)

@@ -1,5 +1,6 @@
 !> Rows and columns of text as aligned text, CSV or Markdown, written line by line to a sink.
 module kyvadlo_sheet
+   use kyvadlo_quoting, only: csv_field
    use kyvadlo_text, only: text_sink_type, text_type
    implicit none
    private
@@ -216,23 +217,5 @@ contains
          if (iand(iachar(text(i:i)), 192) /= 128) letters = letters + 1
       end do
    end function letters
-
-   !> A field in quotation marks where CSV needs them.
-   pure function csv_field(text) result(field)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: field
-      integer :: i
-
-      if (scan(text, ',"'//new_line('a')//achar(13)) == 0) then
-         field = text
-         return
-      end if
-      field = '"'
-      do i = 1, len(text)
-         field = field//text(i:i)
-         if (text(i:i) == '"') field = field//'"'
-      end do
-      field = field//'"'
-   end function csv_field
 
 end module kyvadlo_sheet

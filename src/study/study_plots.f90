@@ -1,6 +1,7 @@
 !> Work-precision diagrams of a study as scripts of gnuplot: error against time, a panel for each orbit.
 module kyvadlo_study_plots
    use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_quoting, only: gnuplot_text
    use kyvadlo_study_record, only: measured, study_type
    use kyvadlo_study_summary, only: names_in, question_title
    use kyvadlo_text, only: append, integer_text, text_sink_type, text_type
@@ -114,10 +115,10 @@ contains
       class(text_sink_type), intent(inout) :: sink
       integer :: i, j
 
-      call sink%put('set multiplot layout '//integer_text(rows)//','//integer_text(columns)//" title '"// &
-         single_quotes(question_title(question))//"; against nanoseconds a result' margins "//margins(rows, columns))
+      call sink%put('set multiplot layout '//integer_text(rows)//','//integer_text(columns)//' title '// &
+         gnuplot_text(question_title(question)//'; against nanoseconds a result')//' margins '//margins(rows, columns))
       do i = 1, size(orbits)
-         call sink%put("set title '"//single_quotes(protected(orbits(i)%text))//"'")
+         call sink%put('set title '//gnuplot_text(protected(orbits(i)%text)))
          call sink%put('plot \')
          do j = 1, size(series)
             call sink%put("   csv using ("//picked(question, orbits(i)%text, series(j))//"):(@error) "// &
@@ -148,7 +149,7 @@ contains
       type(series_type), intent(in) :: series
       character(len=:), allocatable :: expression
 
-      expression = "'"//question//"', '"//single_quotes(orbit)//"', '"//trim(series%method)//"', '"//trim(series%kind)//"'"
+      expression = "'"//question//"', "//gnuplot_text(orbit)//", '"//trim(series%method)//"', '"//trim(series%kind)//"'"
       if (series%form == '') then
          expression = 'taken_by_all('//expression//')'
       else
@@ -243,19 +244,6 @@ contains
       has_number = verify(setting(:blank - 1), '0123456789.e+-') == 0 .or. &
          (blank < len(setting) .and. verify(setting(blank + 1:), '0123456789.e+-') == 0)
    end function has_number
-
-   !> A text in single quotes of gnuplot.
-   pure function single_quotes(text) result(safe)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: safe
-      integer :: i
-
-      safe = ''
-      do i = 1, len(text)
-         safe = safe//text(i:i)
-         if (text(i:i) == "'") safe = safe//"'"
-      end do
-   end function single_quotes
 
    !> A text without the marks of gnuplot's enhanced text.
    pure function protected(text) result(safe)

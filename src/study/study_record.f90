@@ -2,6 +2,7 @@
 module kyvadlo_study_record
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: int64, real64
+   use kyvadlo_quoting, only: csv_field
    use kyvadlo_stopwatch, only: median, nanoseconds_since, quantile
    implicit none
    private
@@ -208,26 +209,10 @@ contains
       case default
          numbers = 'failed,failed,failed,failed'
       end select
-      line = trim(cell%question)//','//quoted(trim(cell%orbit))//','//trim(cell%method)//','//quoted(trim(cell%setting))// &
+      line = trim(cell%question)//','//csv_field(trim(cell%orbit))//','//trim(cell%method)//','//csv_field(trim(cell%setting))// &
          ','//trim(cell%kind)//','//trim(numbers)
       write (numbers, '(i0)') cell%evaluations
       line = line//','//trim(numbers)
    end function csv_line
-
-   !> A field as CSV wants it: in quotes where it holds a comma or a quote.
-   pure function quoted(field)
-      character(len=*), intent(in) :: field
-      character(len=:), allocatable :: quoted
-      integer :: i
-
-      quoted = field
-      if (scan(field, ',"') == 0) return
-      quoted = '"'
-      do i = 1, len(field)
-         quoted = quoted//field(i:i)
-         if (field(i:i) == '"') quoted = quoted//'"'
-      end do
-      quoted = quoted//'"'
-   end function quoted
 
 end module kyvadlo_study_record

@@ -8,6 +8,7 @@ module effects_race
    use kyvadlo_forces
    use kyvadlo_gsl
    use kyvadlo_integrator
+   use kyvadlo_stopwatch, only: median
    use kyvadlo_suspension
    use kyvadlo_turning_frame
    use bare_equations
@@ -259,22 +260,5 @@ contains
          end if
       end do
    end function worst_distance
-
-   pure real(real64) function median(values)
-      real(real64), intent(in) :: values(:)
-      real(real64) :: sorted(size(values)), moved
-      integer :: i, j
-
-      sorted = values
-      do i = 2, size(sorted)
-         moved = sorted(i)
-         do j = i - 1, 1, -1
-            if (sorted(j) <= moved) exit
-            sorted(j + 1) = sorted(j)
-         end do
-         sorted(j + 1) = moved
-      end do
-      median = sorted((size(sorted) + 1)/2)
-   end function median
 
 end module effects_race
