@@ -31,7 +31,7 @@ module kyvadlo_study_command
 
 contains
 
-   !> Runs the command. On failure no file has been written.
+   !> Runs the command. What is wrong with options or scenes is found before anything is measured, and no file is written then.
    subroutine study_command(arguments, error)
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
@@ -145,7 +145,12 @@ contains
             end if
             orbits = [orbits, orbit]
             call cubic_of_orbit(orbit, cubic, has_failed)
-            if (.not. has_failed) cubics = [cubics, cubic]
+            if (has_failed) then
+               call message("kyvadlo: study: not asked for turning heights of '"//trim(orbit%name)// &
+                  "': of its energy and momentum in double precision there is no orbit")
+            else
+               cubics = [cubics, cubic]
+            end if
          end do
       end do
    end subroutine read_orbits

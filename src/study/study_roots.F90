@@ -2,7 +2,7 @@
 module kyvadlo_study_roots
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo, only: orbit_energy, orbit_momentum, orbit_type_real128
+   use kyvadlo, only: error_type, orbit_energy, orbit_momentum, orbit_type_real128
    use kyvadlo_study_orbits, only: study_orbit_type
    use kyvadlo_study_record, only: add_cell, cell_type, failed, measure, measured, study_type, work_type
    use kyvadlo_study_roots_ours, only: roots_by_cubic, roots_by_energy
@@ -67,20 +67,16 @@ contains
    subroutine cubic_of_orbit(orbit, cubic, has_failed)
       type(study_orbit_type), intent(in) :: orbit
       type(study_cubic_type), intent(out) :: cubic
-      logical, intent(out) :: has_failed           !! The rounded numbers are of no orbit
+      logical, intent(out) :: has_failed           !! The rounded numbers are of no orbit, as of conical ones
       type(orbit_type_real128) :: exact
+      type(error_type), allocatable :: error
       real(real128) :: energy, momentum
 
-      has_failed = .false.
       associate (start => orbit%start)
-         block
-            use kyvadlo, only: error_type
-            type(error_type), allocatable :: error
-            call set_up_orbit(study_start_type(1.0_real64, 1.0_real64, start%by_rises, start%first/start%length, &
-               start%second/start%length), exact, error)
-            has_failed = allocated(error)
-         end block
+         call set_up_orbit(study_start_type(1.0_real64, 1.0_real64, start%by_rises, start%first/start%length, &
+            start%second/start%length), exact, error)
       end associate
+      has_failed = allocated(error)
       if (has_failed) return
       cubic%name = orbit%name
       cubic%has_energy = .true.

@@ -3,19 +3,19 @@ module kyvadlo_study_closed_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
 #define orbit_type orbit_type_real32
 #define has_kernel
-#include "study_position_closed.inc"
+#include "study_closed.inc"
 #undef orbit_type
 end module kyvadlo_study_closed_real32
 
 module kyvadlo_study_closed_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
-#include "study_position_closed.inc"
+#include "study_closed.inc"
 #undef has_kernel
 end module kyvadlo_study_closed_real64
 
 module kyvadlo_study_closed_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #define orbit_type orbit_type_real128
-#include "study_position_closed.inc"
+#include "study_closed.inc"
 #undef orbit_type
 end module kyvadlo_study_closed_real128

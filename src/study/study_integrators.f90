@@ -42,13 +42,10 @@ contains
       type(study_orbit_type), intent(in) :: orbit
       integer, intent(in) :: span
       type(integrator_type), allocatable :: work
-      type(fgsl_error_handler_t) :: old
       character(len=24) :: setting
       integer :: method, coordinates, digits
       logical :: is_too_long
 
-      ! The study belongs to the program, which may.
-      old = fgsl_set_error_handler_off()
       allocate (work)
       do method = 1, size(method_names)
          do coordinates = cartesian, spherical

@@ -9,8 +9,7 @@ module kyvadlo_study_by_point
    use kyvadlo_study_record, only: study_type
    use kyvadlo_study_set_up, only: set_up_orbit
 #ifdef KYVADLO_WITH_GSL
-   use kyvadlo_gsl, only: fgsl_error_handler_t, fgsl_prec_double, fgsl_set_error_handler_off, fgsl_sf_elljac_e, &
-      fgsl_sf_ellint_p, fgsl_sf_ellint_pcomp
+   use kyvadlo_gsl, only: fgsl_prec_double, fgsl_sf_elljac_e, fgsl_sf_ellint_p, fgsl_sf_ellint_pcomp
 #endif
    implicit none
    private
@@ -85,12 +84,7 @@ contains
       type(study_orbit_type), intent(in) :: orbit
       integer, intent(in) :: span
       type(integrals_type), allocatable :: work
-#ifdef KYVADLO_WITH_GSL
-      type(fgsl_error_handler_t) :: old
 
-      ! The study belongs to the program, which may.
-      old = fgsl_set_error_handler_off()
-#endif
       allocate (work)
       do while (work%by <= by_gsl)
 #ifndef KYVADLO_WITH_GSL
