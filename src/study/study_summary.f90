@@ -13,6 +13,9 @@ module kyvadlo_study_summary
    !> Settings with these words are measured, but not compared with methods that set up too.
    character(len=*), parameter :: without_set_up = 'after set-up'
 
+   !> Settings of the closed form that begin so name the accuracy asked for.
+   character(len=*), parameter :: asking = 'accuracy '
+
    !> The first and the second method at an accuracy; blank where there is none.
    type :: standing_type
       character(len=16) :: first = '', second = ''
@@ -38,6 +41,7 @@ contains
          call sink%put('')
          call write_by_orbit(study, questions(i)%text, orbits, sink)
       end do
+      call write_kept(study, questions, sink)
       call write_missing(study, sink)
       call sink%put("Of settings `"//without_set_up//"` the summary takes no notice: every method pays for its own set-up.")
    end subroutine write_summary
@@ -207,6 +211,104 @@ contains
       end do
    end subroutine write_by_orbit
 
+   !> Whether the closed form keeps the accuracies asked for, and what that saves: times as multiples of those of double precision
+   !> without an accuracy.
+   subroutine write_kept(study, questions, sink)
+      type(study_type), intent(in) :: study
+      type(text_type), intent(in) :: questions(:)
+      class(text_sink_type), intent(inout) :: sink
+      type(text_type), allocatable :: asked(:)
+      character(len=120) :: line
+      character(len=:), allocatable :: full
+      real(real64) :: time, after
+      integer :: i, j
+
+      do i = 1, size(questions)
+         call accuracies_asked(study, questions(i)%text, asked)
+         if (size(asked) == 0) cycle
+         call sink%put('')
+         call sink%put('closed_form to a stated accuracy. '//question_title(questions(i)%text))
+         call sink%put('')
+         write (line, '(2x,a10,a14,2(a13,a11))') 'asked for ', 'worst error', 'ns', 'of double', without_set_up, 'of double'
+         call sink%put(trim(line))
+         full = 'batch'
+         if (questions(i)%text == 'period') full = 'set-up'
+         do j = 1, size(asked)
+            associate (question => questions(i)%text, accuracy => asked(j)%text)
+               time = mean_time(study, question, asking//accuracy, '')
+               after = mean_time(study, question, 'to '//accuracy//' '//without_set_up, '')
+               write (line, '(2x,a10,a14,a13,a11)') accuracy//'         ', error_text(study, question, asking//accuracy), &
+                  number_text(time), times_text(time, mean_time(study, question, full, 'real64'))
+               if (after > 0) write (line(51:), '(a13,a11)') number_text(after), &
+                  times_text(after, mean_time(study, question, full//' '//without_set_up, 'real64'))
+            end associate
+            call sink%put(trim(line))
+         end do
+      end do
+   end subroutine write_kept
+
+   !> `1e-6` of the settings `accuracy 1e-6`, in the order in which they appear.
+   subroutine accuracies_asked(study, question, asked)
+      type(study_type), intent(in) :: study
+      character(len=*), intent(in) :: question
+      type(text_type), allocatable, intent(out) :: asked(:)
+      integer :: i, j
+
+      allocate (asked(0))
+      do i = 1, study%count
+         associate (cell => study%cells(i))
+            if (cell%question /= question .or. index(cell%setting, asking) /= 1) cycle
+            do j = size(asked), 1, -1
+               if (asked(j)%text == cell%setting(len(asking) + 1:)) exit
+            end do
+            if (j == 0) call append(asked, trim(cell%setting(len(asking) + 1:)))
+         end associate
+      end do
+   end subroutine accuracies_asked
+
+   !> The worst of all orbits, of a setting in any kind.
+   pure function error_text(study, question, setting) result(text)
+      type(study_type), intent(in) :: study
+      character(len=*), intent(in) :: question, setting
+      character(len=7) :: text
+      real(real64) :: worst
+      integer :: i
+
+      worst = 0
+      do i = 1, study%count
+         associate (cell => study%cells(i))
+            if (cell%question /= question .or. cell%setting /= setting) cycle
+            worst = max(worst, cell%error)
+            if (cell%outcome == measured) cycle
+            text = merge(' failed', ' capped', cell%outcome == failed)
+            return
+         end associate
+      end do
+      write (text, '(es7.1e2)') worst
+   end function error_text
+
+   !> Geometric mean of the times of a setting on all orbits [ns]; 0 if nobody measured it.
+   pure real(real64) function mean_time(study, question, setting, kind)
+      type(study_type), intent(in) :: study
+      character(len=*), intent(in) :: question, setting
+      character(len=*), intent(in) :: kind         !! Blank: any
+      real(real64) :: sum
+      integer :: i, n
+
+      sum = 0
+      n = 0
+      do i = 1, study%count
+         associate (cell => study%cells(i))
+            if (cell%question /= question .or. cell%setting /= setting .or. cell%outcome /= measured) cycle
+            if (cell%kind /= kind .and. kind /= '') cycle
+            sum = sum + log(max(cell%ns_median, tiny(sum)))
+            n = n + 1
+         end associate
+      end do
+      mean_time = 0
+      if (n > 0) mean_time = exp(sum/n)
+   end function mean_time
+
    !> How many cells have no numbers, and why.
    subroutine write_missing(study, sink)
       type(study_type), intent(in) :: study
@@ -246,6 +348,16 @@ contains
       end if
       text = 'x'//trim(adjustl(text))
    end function ratio_text
+
+   !> A time as a multiple of another, if both were measured.
+   pure function times_text(time, unit) result(text)
+      real(real64), intent(in) :: time, unit
+      character(len=11) :: text
+
+      text = ''
+      if (time > 0 .and. unit > 0) text = ratio_text(time/unit)
+      text = adjustr(text)
+   end function times_text
 
    pure function padded(text, width) result(wide)
       character(len=*), intent(in) :: text

@@ -31,6 +31,8 @@ for title in 'Position at times within one period' 'Position at times within the
 done
 expect_match '^   1.E-15 .*closed_form'
 expect_match '^  near_upright .*closed_form'
+expect_match '^closed_form to a stated accuracy. Position at times within the 1000th period'
+expect_match '^  1e-6 *[1-9].[0-9]E-0[789] .* x'
 expect_match '^[0-9]* cells; [0-9]* capped.*; 0 failed'
 checks=$((checks + 1))
 grep -q -i nan out && complain 'no result is NaN'
