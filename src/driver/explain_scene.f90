@@ -23,8 +23,10 @@ module kyvadlo_explain_scene
       procedure :: put => count_line
    end type counting_type
 
-   !> Samples of the trial; a thousandth of a second on the exact paths.
-   integer(int64), parameter :: trial_samples = 4096
+   !> Samples of the first trial and of the last, a thousandth of a second on the exact paths. A trial longer than so many
+   !> seconds is not followed by one of more samples.
+   integer(int64), parameter :: first_trial = 16, last_trial = 4096, growth = 16
+   real(wp), parameter :: patience = 0.01_wp
 
 contains
 
@@ -35,10 +37,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(simulation_type) :: trial
       type(path_type) :: trial_path
-      type(counting_type), target :: counter
-      type(csv_samples_type) :: samples
       type(column_type), allocatable :: columns(:)
-      integer(int64) :: start, finish, rate
       real(wp) :: seconds, bytes, all
       character(len=:), allocatable :: names
       integer :: i
@@ -58,20 +57,46 @@ contains
 
       trial = simulation
       trial_path = path
-      trial%settings%samples = min(simulation%settings%samples, trial_samples)
-      trial_path%duration = path%duration*(real(trial%settings%samples - 1, wp)/(all - 1))
-      samples = new_csv_samples(counter)
-      call system_clock(start, rate)
-      call simulate(trial, trial_path, samples, error)
-      if (allocated(error)) return
-      call system_clock(finish)
-      seconds = real(finish - start, wp)/rate/trial%settings%samples
-      bytes = real(counter%bytes, wp)/trial%settings%samples
+      trial%settings%samples = min(simulation%settings%samples, first_trial)
+      do
+         trial_path%duration = path%duration*(real(trial%settings%samples - 1, wp)/(all - 1))
+         call try(trial, trial_path, seconds, bytes, error)
+         if (allocated(error)) return
+         if (seconds > patience .or. trial%settings%samples >= min(simulation%settings%samples, last_trial)) exit
+         trial%settings%samples = min(simulation%settings%samples, growth*trial%settings%samples)
+      end do
+      seconds = seconds/trial%settings%samples
+      bytes = bytes/trial%settings%samples
       call message('cost:     '//integer_text(nint(1e9_wp*seconds))//' ns a sample, '//digits_text(all*seconds, 3) &
          //' s in all, measured on the first '//counted(trial%settings%samples))
       call message('output:   '//integer_text(nint(bytes))//' bytes a sample as CSV, '//digits_text(all*bytes/2**20, 3) &
          //' MiB in all')
    end subroutine explain_scene
+
+   !> Seconds and bytes of a scene, its samples dropped: the least of five short trials, as the first may pay for the start of
+   !> threads, and any for what else the machine does.
+   subroutine try(simulation, path, seconds, bytes, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      real(wp), intent(out) :: seconds, bytes
+      type(error_type), allocatable, intent(out) :: error
+      type(counting_type), target :: counter
+      type(csv_samples_type) :: samples
+      integer(int64) :: start, finish, rate
+      integer :: i
+
+      seconds = huge(seconds)
+      do i = 1, 5
+         counter%bytes = 0
+         samples = new_csv_samples(counter)
+         call system_clock(start, rate)
+         call simulate(simulation, path, samples, error)
+         call system_clock(finish)
+         seconds = min(seconds, real(finish - start, wp)/rate)
+         if (allocated(error) .or. seconds > 10*patience) exit
+      end do
+      bytes = real(counter%bytes, wp)
+   end subroutine try
 
    subroutine count_line(sink, line)
       class(counting_type), intent(inout) :: sink

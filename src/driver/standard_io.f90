@@ -120,6 +120,8 @@ contains
       character(len=*), intent(in) :: text
 
       write (error_unit, '(a)') text
+      ! What is said before a long run is read before it, in a file or a pipe too.
+      flush (error_unit)
    end subroutine message
 
    !> Makes a folder, unless it is there already; the folder it lies in must be there.

@@ -4,7 +4,7 @@ module kyvadlo_scene_effects
    use kyvadlo_file_text, only: read_file
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
-   use kyvadlo_number_text, only: read_number
+   use kyvadlo_number_text, only: read_number, shortest_text
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_pivot_table, only: new_pivot_table
 #endif
@@ -57,6 +57,7 @@ contains
       character(len=:), allocatable :: text, path
       real(wp), allocatable :: rows(:, :), more(:, :)
       real(wp) :: row(4)
+      character(len=:), allocatable :: place
       integer :: first, length, line, count
 
       path = simulation%settings%table
@@ -75,10 +76,18 @@ contains
          line = line + 1
          length = index(text(first:), line_feed) - 1
          if (length < 0) length = len(text) - first + 1
-         call read_row(text(first:first + length - 1), place_of(path, line), row, length, error)
+         place = place_of(path, line)
+         call read_row(text(first:first + length - 1), place, row, length, error)
          if (allocated(error)) return
          first = first + index(text(first:)//line_feed, line_feed)
          if (length == 0) cycle
+         if (count > 0) then
+            if (.not. row(1) > rows(1, count)) then
+               call fail(error, code_input, place//'the times of the table must ascend, got '//shortest_text(row(1))//' after ' &
+                  //shortest_text(rows(1, count)))
+               return
+            end if
+         end if
          if (count == size(rows, 2)) then
             allocate (more(4, 2*count))
             more(:, :count) = rows

@@ -12,7 +12,8 @@ module kyvadlo_simulation_path
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_simulation, only: simulation_type
-   use kyvadlo_status, only: code_unsupported, error_type, fail
+   use kyvadlo_number_text, only: shortest_text
+   use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_version, only: with_gsl
    implicit none
    private
@@ -82,6 +83,8 @@ contains
 
          call effects_of(simulation, path%effects, error)
          if (allocated(error)) return
+         call check_table(simulation, path, error)
+         if (allocated(error)) return
          if (.not. any_effect(path%effects)) then
             call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
             path%pivot_energy = effective_weight(path%gravity, settings%density_ratio)*displacement(3)
@@ -120,6 +123,22 @@ contains
          end if
       end associate
    end subroutine choose_path
+
+   !> A table of the pivot must cover the duration.
+   subroutine check_table(simulation, path, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. allocated(path%effects%pivot_times)) return
+      associate (t => path%effects%pivot_times, settings => simulation%settings)
+         if (size(t) < 1) return
+         if (t(1) <= 0 .and. t(size(t)) >= path%duration) return
+         call fail(error, code_input, place_of(settings%file, settings%line(moving_pivot_group))//'&moving_pivot: the table must ' &
+            //'cover the duration, 0 to '//shortest_text(path%duration)//' s; it goes from '//shortest_text(t(1))//' to ' &
+            //shortest_text(t(size(t)))//' s')
+      end associate
+   end subroutine check_table
 
    !> The cheapest evaluation that keeps an accuracy of the places throughout.
    subroutine plan_accuracy(pendulum, accuracy, path, error)

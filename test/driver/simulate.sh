@@ -220,10 +220,12 @@ if [ $with_gsl = yes ]; then
    fails 2 'pivot.txt:2: a line of the table has 4 numbers, t x y z, got 1 0.5 0' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 a\n' >pivot.txt
    fails 2 'pivot.txt:2: a number is expected, got a (not a number)' simulate pivot.nml
+   printf '0 0 0 0\n1 0.5 0 0\n1 1 0 0\n3 0 0 0\n' >pivot.txt
+   fails 2 'pivot.txt:3: the times of the table must ascend, got 1e+00 after 1e+00' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 0\n' >pivot.txt
    fails 2 'pivot.txt: pivot table: at least 3 times are needed, got 2' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 0\n1.5 1 0 0\n' >pivot.txt
-   fails 2 'pivot.nml: integrate: the table of the pivot ends before the motion' simulate pivot.nml
+   fails 2 'pivot.nml:2: &moving_pivot: the table must cover the duration, 0 to 2e+00 s; it goes from 0e+00 to 1.5e+00 s' simulate pivot.nml
    rm pivot.txt
    fails 2 'pivot.nml:2: &moving_pivot: cannot read pivot.txt: No such file or directory' simulate pivot.nml
    mkdir folder
@@ -334,6 +336,15 @@ for signal in INT TERM HUP; do
    checks=$((checks + 1))
    cmp -s result.csv before.csv || complain 'an interrupted run must leave the old file'
 done
+command_line='kyvadlo simulate endless.nml --explain'
+"$program" simulate endless.nml --explain >/dev/null 2>err &
+pid=$!
+i=0
+while ! grep -q '^output: ' err && [ "$i" -lt 50 ]; do i=$((i + 1)); sleep 0.1; done
+checks=$((checks + 1))
+{ kill -0 "$pid" && grep -q '^output: ' err; } || complain 'what is explained must be said before the run'
+kill "$pid"
+wait "$pid" 2>/dev/null
 command_line='kyvadlo simulate endless.nml | head'
 "$program" simulate endless.nml 2>err | head -n 2 >out
 checks=$((checks + 1))
