@@ -24,6 +24,8 @@ plot \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'typical', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'typical', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'typical', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'typical', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'typical', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -37,6 +39,8 @@ plot \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_conical', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_conical', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_conical', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_conical', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -50,6 +54,8 @@ plot \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_plane', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_plane', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_plane', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_plane', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -63,6 +69,8 @@ plot \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_upright', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_upright', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_upright', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_upright', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -76,6 +84,8 @@ plot \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'small', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'small', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'small', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'small', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'small', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -89,6 +99,8 @@ plot \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'energetic', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'energetic', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'energetic', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'energetic', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -102,6 +114,8 @@ plot \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'plane', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'plane', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'plane', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'plane', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'plane', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -119,6 +133,8 @@ plot \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2 title 'closed\_form real32', \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2 title 'closed\_form real64', \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2 title 'closed\_form real128', \
+   NaN with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2 title 'closed\_form accuracy real64', \
+   NaN with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2 title 'closed\_form accuracy real128', \
    NaN with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1 title 'agm\_terms', \
    NaN with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1 title 'carlson\_early', \
    NaN with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1 title 'gsl\_ellint', \
@@ -141,6 +157,8 @@ plot \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'typical', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'typical', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'typical', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'typical', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'typical', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'typical', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -154,6 +172,8 @@ plot \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_conical', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_conical', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_conical', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_conical', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_conical', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -167,6 +187,8 @@ plot \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_plane', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_plane', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_plane', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_plane', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_plane', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -180,6 +202,8 @@ plot \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'near_upright', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'near_upright', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'near_upright', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_upright', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'near_upright', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -193,6 +217,8 @@ plot \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'small', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'small', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'small', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'small', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'small', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'small', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -206,6 +232,8 @@ plot \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'energetic', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'energetic', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'energetic', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'energetic', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'energetic', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -219,6 +247,8 @@ plot \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real32')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2, \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real64')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2, \
    csv using (taken_by_all('period', 'plane', 'closed_form', 'real128')):(@error) with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2, \
+   csv using (taken('period', 'plane', 'closed_form', 'real64', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2, \
+   csv using (taken('period', 'plane', 'closed_form', 'real128', 'accuracy')):(@error) with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2, \
    csv using (taken_by_all('period', 'plane', 'agm_terms', 'real64')):(@error) with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'plane', 'carlson_early', 'real64')):(@error) with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1, \
    csv using (taken_by_all('period', 'plane', 'gsl_ellint', 'real64')):(@error) with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1, \
@@ -236,6 +266,8 @@ plot \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 6 lw 2 title 'closed\_form real32', \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 7 lw 2 title 'closed\_form real64', \
    NaN with points      lc rgb '#d62728' ps 0.6 dt 1 pt 9 lw 2 title 'closed\_form real128', \
+   NaN with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 7 lw 2 title 'closed\_form accuracy real64', \
+   NaN with linespoints lc rgb '#d62728' ps 0.6 dt 2 pt 9 lw 2 title 'closed\_form accuracy real128', \
    NaN with linespoints lc rgb '#1f77b4' ps 0.6 dt 1 pt 7 lw 1 title 'agm\_terms', \
    NaN with linespoints lc rgb '#2ca02c' ps 0.6 dt 1 pt 7 lw 1 title 'carlson\_early', \
    NaN with points      lc rgb '#9467bd' ps 0.6 dt 1 pt 7 lw 1 title 'gsl\_ellint', \

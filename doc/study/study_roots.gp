@@ -4,7 +4,7 @@ if (!exists('before')) before = ''
 csv = 'study.csv'
 set datafile separator ','
 set logscale xy
-set xrange [1e1:1e7]
+set xrange [1e1:1e6]
 set yrange [1e-37:10]
 set ytics 1e-35, 1e5, 1
 set format '10^{%L}'
