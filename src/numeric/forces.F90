@@ -11,7 +11,7 @@ module kyvadlo_forces
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_effects, only: effects_type, check_effects, has_drag, has_moving_pivot
    use kyvadlo_buoyancy, only: effective_inertia, effective_weight
-   use kyvadlo_pivot, only: pivot_motion, pivot_rates
+   use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_suspension, only: suspension_type, new_suspension, stretch
    implicit none
    private
@@ -85,11 +85,8 @@ contains
             ! A step evaluates three times at its end.
             if (abs(time - forces%pivot_time) > 0) then
                forces%pivot_time = time
-               if (forces%needs_pivot_velocity) then
-                  call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity)
-               else
-                  call pivot_rates(forces%effects, time, forces%pivot_acceleration)
-               end if
+               call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
+                  forces%needs_pivot_velocity)
             end if
             if (forces%needs_pivot_velocity) then
                u = u + forces%pivot_velocity(1)
@@ -185,5 +182,8 @@ contains
       if (effects%is_string .and. distance < suspension%radius) return
       energy = energy + effects%stiffness*(distance - suspension%radius)**2/2
    end function mechanical_energy
+
+   ! A copy of this module's own, to be inlined in the innermost procedure.
+#include "pivot_rates.inc"
 
 end module kyvadlo_forces
