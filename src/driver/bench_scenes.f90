@@ -11,7 +11,7 @@ module kyvadlo_bench_scenes
    use kyvadlo_simulation, only: parse_simulation, simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type
    use kyvadlo_stopwatch, only: median
-   use kyvadlo_text, only: text_sink_type
+   use kyvadlo_text, only: counting_sink_type
    implicit none
    private
    public :: bench_scenes
@@ -24,13 +24,6 @@ module kyvadlo_bench_scenes
       procedure :: take => take_none
       procedure :: note => note_none
    end type no_samples_type
-
-   !> Takes lines and drops them.
-   type, extends(text_sink_type) :: no_lines_type
-      integer(int64) :: bytes = 0
-   contains
-      procedure :: put => put_none
-   end type no_lines_type
 
    !> Samples of a scene, and of one whose samples take longer: some milliseconds, less than a slice of a busy machine.
    integer, parameter :: samples = 16*block_samples, written = 2048
@@ -150,7 +143,7 @@ contains
       type(path_type) :: path
       type(error_type), allocatable :: error
       type(no_samples_type) :: none
-      type(no_lines_type), target :: no_lines
+      type(counting_sink_type), target :: no_lines
       type(csv_samples_type) :: lines
       integer(int64) :: start
       character(len=12) :: number
@@ -203,12 +196,5 @@ contains
 
       sink%checksum = sink%checksum + event%time
    end subroutine note_none
-
-   subroutine put_none(sink, line)
-      class(no_lines_type), intent(inout) :: sink
-      character(len=*), intent(in) :: line
-
-      sink%bytes = sink%bytes + len(line)
-   end subroutine put_none
 
 end module kyvadlo_bench_scenes

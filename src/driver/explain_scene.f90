@@ -11,17 +11,10 @@ module kyvadlo_explain_scene
    use kyvadlo_simulation_path, only: path_integrated, path_string, path_type
    use kyvadlo_standard_io, only: message
    use kyvadlo_status, only: error_type
-   use kyvadlo_text, only: integer_text, text_sink_type
+   use kyvadlo_text, only: counting_sink_type, integer_text
    implicit none
    private
    public :: explain_scene
-
-   !> Counts what would be written.
-   type, extends(text_sink_type) :: counting_type
-      integer(int64) :: bytes = 0
-   contains
-      procedure :: put => count_line
-   end type counting_type
 
    !> Samples of the first trial and of the last, a thousandth of a second on the exact paths. A trial longer than so many
    !> seconds is not followed by one of more samples.
@@ -80,7 +73,7 @@ contains
       type(path_type), intent(in) :: path
       real(wp), intent(out) :: seconds, bytes
       type(error_type), allocatable, intent(out) :: error
-      type(counting_type), target :: counter
+      type(counting_sink_type), target :: counter
       type(csv_samples_type) :: samples
       integer(int64) :: start, finish, rate
       integer :: i
@@ -97,13 +90,6 @@ contains
       end do
       bytes = real(counter%bytes, wp)
    end subroutine try
-
-   subroutine count_line(sink, line)
-      class(counting_type), intent(inout) :: sink
-      character(len=*), intent(in) :: line
-
-      sink%bytes = sink%bytes + len(line) + 1
-   end subroutine count_line
 
    pure function counted(count) result(text)
       integer(int64), intent(in) :: count

@@ -2,6 +2,7 @@
 module kyvadlo_study_command
    use, intrinsic :: iso_fortran_env, only: error_unit, real64
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
+   use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: read_number
    use kyvadlo_quoting, only: shell_word
    use kyvadlo_scene, only: pendulum_type_real128
@@ -137,7 +138,10 @@ contains
          if (allocated(error)) return
          do j = 1, size(pendulums)
             call orbit_from_pendulum(pendulums(j), orbit, error)
-            if (allocated(error)) return
+            if (allocated(error)) then
+               error%message = place_of(pendulums(j)%file, pendulums(j)%line)//'&pendulum: '//error%message
+               return
+            end if
             if (any(orbits%name == orbit%name)) orbit%name = trim(orbit%name)//' of '//arguments%operands(i)%text
             if (any(orbits%name == orbit%name)) then
                call fail(error, code_input, "study: two pendulums are named '"//trim(orbit%name)//"'")

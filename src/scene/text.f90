@@ -1,8 +1,9 @@
 !> Small text operations that the scene reader and the program share.
 module kyvadlo_text
+   use, intrinsic :: iso_fortran_env, only: int64
    implicit none
    private
-   public :: text_type, text_sink_type, append, integer_text, join, lower_case, shown, split_words
+   public :: text_type, text_sink_type, counting_sink_type, append, integer_text, join, lower_case, shown, split_words
 
    !> A text of any length, so that arrays of texts may have elements of different length.
    type :: text_type
@@ -15,6 +16,13 @@ module kyvadlo_text
       procedure(put_line), deferred :: put !! Takes one line, without its end
    end type text_sink_type
 
+   !> Drops the lines and counts what they take.
+   type, extends(text_sink_type) :: counting_sink_type
+      integer(int64) :: bytes = 0          !! Ends of lines included
+   contains
+      procedure :: put => count_line
+   end type counting_sink_type
+
    abstract interface
       subroutine put_line(sink, line)
          import :: text_sink_type
@@ -26,6 +34,13 @@ module kyvadlo_text
    character(len=*), parameter :: tabulator = achar(9), carriage_return = achar(13)
 
 contains
+
+   subroutine count_line(sink, line)
+      class(counting_sink_type), intent(inout) :: sink
+      character(len=*), intent(in) :: line
+
+      sink%bytes = sink%bytes + len(line) + 1
+   end subroutine count_line
 
    !> Adds one text at the end. (An array constructor with `text_type(...)` in it leaks memory in gfortran 12.)
    pure subroutine append(texts, text)
