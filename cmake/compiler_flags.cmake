@@ -1,8 +1,8 @@
 # The flags of all our sources, as one interface target. Contraction and automatic vectorisation change the last digits
 # (gfortran -O3 silently takes libmvec's 3.4-ulp sine), so both are off except in declared batch kernels.
 set(kyvadlo_fortran_flags -std=f2018 -Wall -Wextra -Wimplicit-interface -Wno-maybe-uninitialized -Wno-compare-reals
-  -ffp-contract=off -fno-tree-vectorize)
-set(kyvadlo_c_flags -Wall -Wextra -ffp-contract=off -fno-tree-vectorize)
+  -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)
+set(kyvadlo_c_flags -Wall -Wextra -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)
 
 add_library(kyvadlo_flags INTERFACE)
 target_compile_options(kyvadlo_flags INTERFACE

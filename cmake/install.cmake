@@ -6,7 +6,7 @@ set(KYVADLO_MODDIR ${CMAKE_INSTALL_INCLUDEDIR}/kyvadlo/${CMAKE_Fortran_COMPILER_
   CACHE STRING "Folder of the installed .mod files, relative to the prefix")
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/kyvadlo)
 
-set(installed_targets kyvadlo_core kyvadlo)
+set(installed_targets kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo)
 foreach(target IN LISTS installed_targets)
   set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${KYVADLO_MODDIR}>)
@@ -22,12 +22,12 @@ if(BUILD_SHARED_LIBS AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     endif()
   endforeach()
 endif()
-target_include_directories(kyvadlo INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_include_directories(kyvadlo_c INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS ${installed_targets} EXPORT kyvadlo_targets)
 file(RELATIVE_PATH libraries_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
 install(TARGETS kyvadlo_driver)
-set_target_properties(kyvadlo PROPERTIES INSTALL_RPATH "$ORIGIN")
+set_target_properties(kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo PROPERTIES INSTALL_RPATH "$ORIGIN")
 
 install(EXPORT kyvadlo_targets NAMESPACE kyvadlo:: DESTINATION ${package_dir})
 # What the static libraries need of Fortran's run-time libraries.
@@ -40,19 +40,24 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/kyvadlo-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/kyvadlo-config.cmake ${PROJECT_BINARY_DIR}/kyvadlo-config-version.cmake
   DESTINATION ${package_dir})
 
-# pkg-config. Paths are relative to the .pc file, so that the tree may be moved; what only the static libraries need is
-# private: GSL, and for callers in C the run-time libraries of Fortran.
+# pkg-config: kyvadlo for everything, kyvadlo_c for C and Fortran 77 without GSL. Paths are relative to the .pc file, so that
+# the tree may be moved; what only the static libraries need is private: GSL, and for callers in C the run-time libraries of
+# Fortran.
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-set(pc_requires_private "")
-if(KYVADLO_WITH_GSL)
-  set(pc_requires_private "gsl")
-endif()
 set(pc_libs_private ${kyvadlo_runtime})
 if(KYVADLO_WITH_OPENMP AND OpenMP_Fortran_FOUND)
   list(APPEND pc_libs_private ${OpenMP_Fortran_LIB_NAMES})
 endif()
 list(TRANSFORM pc_libs_private PREPEND "-l")
 list(JOIN pc_libs_private " " pc_libs_private)
-configure_file(cmake/kyvadlo.pc.in ${PROJECT_BINARY_DIR}/kyvadlo.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/kyvadlo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(pc_gsl "")
+if(KYVADLO_WITH_GSL)
+  set(pc_gsl gsl)
+endif()
+function(kyvadlo_pkg_config pc_name pc_libs pc_requires_private)
+  configure_file(cmake/kyvadlo.pc.in ${PROJECT_BINARY_DIR}/${pc_name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+kyvadlo_pkg_config(kyvadlo "-lkyvadlo -lkyvadlo_c -lkyvadlo_core -lkyvadlo_elliptic" "${pc_gsl}")
+kyvadlo_pkg_config(kyvadlo_c "-lkyvadlo_c -lkyvadlo_core -lkyvadlo_elliptic" "")
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

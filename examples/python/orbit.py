@@ -2,7 +2,7 @@
 
     python3 orbit.py [LIBRARY [PICTURE]]
 
-LIBRARY is the shared libkyvadlo (default: the one the system finds), PICTURE an SVG file to draw into. Nothing is compiled,
+LIBRARY is the shared libkyvadlo_c (default: the one the system finds), PICTURE an SVG file to draw into. Nothing is compiled,
 and nothing but Python's own modules is needed.
 """
 import ctypes
@@ -38,9 +38,9 @@ def new_orbit(library, length, gravity, upper, lower):
 
 
 def main():
-    path = sys.argv[1] if len(sys.argv) > 1 else ctypes.util.find_library("kyvadlo")
+    path = sys.argv[1] if len(sys.argv) > 1 else ctypes.util.find_library("kyvadlo_c")
     if path is None:
-        sys.exit("orbit.py: no shared libkyvadlo found; name it: orbit.py path/to/libkyvadlo.so")
+        sys.exit("orbit.py: no shared libkyvadlo_c found; name it: orbit.py path/to/libkyvadlo_c.so")
     library = load(path)
     orbit = new_orbit(library, 1.0, GRAVITY, 0.3, -0.8)
     period = library.kyvadlo_height_period(orbit)

@@ -11,8 +11,7 @@ module kyvadlo_complete_mean
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
    use kyvadlo_nome_real128, only: log_nome
-   use kyvadlo_two_part, only: pair_type => pair_type_real128, pi_pair => pi_pair_real128, pair, value, scaled, &
-      operator(+), operator(*), operator(/), sqrt
+   use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, operator(+), operator(*), operator(/), sqrt
 #include "complete_mean.inc"
 end module kyvadlo_complete_mean
 

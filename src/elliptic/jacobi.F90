@@ -1,9 +1,7 @@
 module kyvadlo_jacobi_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-#define jacobi_type jacobi_type_real32
 #include "jacobi.inc"
-#undef jacobi_type
 end module kyvadlo_jacobi_real32
 
 module kyvadlo_jacobi_real64
@@ -15,16 +13,14 @@ end module kyvadlo_jacobi_real64
 module kyvadlo_jacobi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-#define jacobi_type jacobi_type_real128
 #include "jacobi.inc"
-#undef jacobi_type
 end module kyvadlo_jacobi_real128
 
 !> Jacobian elliptic functions in three kinds.
 module kyvadlo_jacobi
-   use kyvadlo_jacobi_real32
+   use kyvadlo_jacobi_real32, jacobi_type_real32 => jacobi_type
    use kyvadlo_jacobi_real64
-   use kyvadlo_jacobi_real128
+   use kyvadlo_jacobi_real128, jacobi_type_real128 => jacobi_type
    implicit none
    public
 end module kyvadlo_jacobi

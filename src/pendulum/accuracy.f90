@@ -21,7 +21,7 @@ module kyvadlo_accuracy
    use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
    use kyvadlo_orbit_real64, only: new_orbit_from_gaps, orbit_type
-   use kyvadlo_orbit_real128, only: orbit_type_real128
+   use kyvadlo_orbit_real128, only: orbit_type_real128 => orbit_type
    use kyvadlo_start, only: new_orbit, new_rough_orbit
    use kyvadlo_status, only: code_domain, error_type, fail
    implicit none

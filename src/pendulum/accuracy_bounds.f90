@@ -4,7 +4,7 @@ module kyvadlo_accuracy_bounds
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_orbit_real64, only: orbit_type
-   use kyvadlo_two_part, only: operator(+), value
+   use kyvadlo_pairs, only: operator(+), value
    implicit none
    private
    public :: error_bounds, half_periods, finest_double, finest_quad

@@ -3,22 +3,24 @@
 !> `batch.inc` holds the public procedures, `batch_block.inc` what happens to a block, `batch_loop.inc` the kernels.
 module kyvadlo_batch_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real64, int64
-   use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_batch_dispatch, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_orbit_real32
    use kyvadlo_motion_real32
-#define orbit_type orbit_type_real32
+   use kyvadlo_batch_constants
+   use kyvadlo_batch_dispatch
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real64
 #include "batch.inc"
 #include "batch_block.inc"
-#undef orbit_type
 end module kyvadlo_batch_real32
 
 module kyvadlo_batch_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, real64, int64
    use kyvadlo_orbit_real64
    use kyvadlo_motion_real64
+   use kyvadlo_batch_constants
+   use kyvadlo_batch_dispatch
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real64
 #define kernel_takes_arguments
 #include "batch.inc"
 #include "batch_block.inc"
@@ -30,7 +32,10 @@ module kyvadlo_batch_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, int64
    use kyvadlo_orbit_real128
    use kyvadlo_motion_real128
-#define orbit_type orbit_type_real128
+   use kyvadlo_batch_constants
+   use kyvadlo_batch_dispatch
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real128
 #include "batch.inc"
 
    !> Up to `block_size` points.
@@ -59,7 +64,6 @@ module kyvadlo_batch_real128
          vz(i) = velocity(3)
       end do
    end subroutine place_block
-#undef orbit_type
 end module kyvadlo_batch_real128
 
 module kyvadlo_batch

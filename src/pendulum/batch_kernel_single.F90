@@ -1,6 +1,6 @@
 !> The closed form of the place for one time, the same source as the batch kernels.
 module kyvadlo_batch_kernel_single
-   use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_batch_constants
 #define single_point
 #define kernel_grade 0
 #include "batch_kernel.inc"

@@ -1,31 +1,35 @@
 !> The batch kernels compiled for x86-64-v4.
 #define kernel_grade 0
 module kyvadlo_batch_kernel_v4
-   use kyvadlo_batch_constants, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_batch_constants
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4
 #undef kernel_grade
 
 #define kernel_grade 1
 module kyvadlo_batch_kernel_v4_1
+   use kyvadlo_batch_constants
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_1
 #undef kernel_grade
 
 #define kernel_grade 2
 module kyvadlo_batch_kernel_v4_2
+   use kyvadlo_batch_constants
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_2
 #undef kernel_grade
 
 #define kernel_grade 3
 module kyvadlo_batch_kernel_v4_3
+   use kyvadlo_batch_constants
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_3
 #undef kernel_grade
 
 #define kernel_grade 4
 module kyvadlo_batch_kernel_v4_4
+   use kyvadlo_batch_constants
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_4
 #undef kernel_grade

@@ -1,36 +1,32 @@
 !> When the bob passes through a height or an azimuth, and when it turns next.
 !>
 !> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64.
-#define orbit_type orbit_type_real32
 module kyvadlo_passage_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
-   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_orbit_real32, only: orbit_type
    use kyvadlo_motion_real32, only: place, azimuth, azimuth_of, orbit_momentum
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real64
 #include "passage.inc"
 end module kyvadlo_passage_real32
-#undef orbit_type
 
 module kyvadlo_passage_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
    use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_motion_real64, only: place, azimuth, azimuth_of, orbit_momentum
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real64
 #include "passage.inc"
 end module kyvadlo_passage_real64
 
-#define orbit_type orbit_type_real128
-#define pair_type pair_type_real128
-#define pi_pair pi_pair_real128
 module kyvadlo_passage_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_orbit_real128, only: orbit_type
    use kyvadlo_motion_real128, only: place, azimuth, azimuth_of, orbit_momentum
+   use kyvadlo_motion_kinds
+   use kyvadlo_pairs_real128
 #include "passage.inc"
 end module kyvadlo_passage_real128
-#undef orbit_type
-#undef pair_type
-#undef pi_pair
 
 module kyvadlo_passage
    use kyvadlo_passage_real32

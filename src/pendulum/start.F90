@@ -1,6 +1,5 @@
 !> An orbit from any start, the start a number: for scenes, and for who chooses the kind last.
 module kyvadlo_start_kinds
-   use kyvadlo_status, only:  ! for fpm, which does not look into what is included
    implicit none
    public
 
@@ -14,35 +13,38 @@ module kyvadlo_start_kinds
    integer, parameter :: start_state = 8                !! `new_orbit_from_state`: position, velocity
 end module kyvadlo_start_kinds
 
-#define orbit_type orbit_type_real32
 module kyvadlo_start_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
-   use kyvadlo_gaps_real32, only: gaps_type => gaps_type_real32, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
+   use kyvadlo_gaps_real32, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
       gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real32, only: set_up
-   use kyvadlo_orbit, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_state, only:  ! for fpm, which does not look into what is included
+   use kyvadlo_orbit_real32, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_start_kinds
+   use kyvadlo_state_real32
+   use kyvadlo_status, only: error_type, fail, code_domain
 #include "start.inc"
 end module kyvadlo_start_real32
-#undef orbit_type
 
 module kyvadlo_start_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
    use kyvadlo_gaps_real64, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, gaps_from_energy, &
       energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real64, only: set_up
+   use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_start_kinds
+   use kyvadlo_state_real64
+   use kyvadlo_status, only: error_type, fail, code_domain
 #include "start.inc"
 end module kyvadlo_start_real64
 
-#define orbit_type orbit_type_real128
 module kyvadlo_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
-   use kyvadlo_gaps_real128, only: gaps_type => gaps_type_real128, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
+   use kyvadlo_gaps_real128, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
       gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real128, only: set_up
+   use kyvadlo_orbit_real128, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_start_kinds
+   use kyvadlo_state_real128
+   use kyvadlo_status, only: error_type, fail, code_domain
 #include "start.inc"
 end module kyvadlo_start_real128
-#undef orbit_type
 
 module kyvadlo_start
    use kyvadlo_start_kinds

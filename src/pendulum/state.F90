@@ -1,21 +1,17 @@
 !> Orbits from any position and velocity.
 !>
 !> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64.
-#define gaps_type gaps_type_real32
-#define orbit_type orbit_type_real32
 module kyvadlo_state_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
-   use kyvadlo_motion_kinds, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_status, only:  ! for fpm, which does not look into what is included
-   use kyvadlo_two_part, only:  ! for fpm, which does not look into what is included
    use kyvadlo_gaps_real32, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real32, only: orbit_type, set_up
    use kyvadlo_motion_real32, only: place, azimuth
    use kyvadlo_passage_real32, only: phase_time
+   use kyvadlo_motion_kinds
+   use kyvadlo_status, only: error_type
+   use kyvadlo_pairs_real64
 #include "state.inc"
 end module kyvadlo_state_real32
-#undef gaps_type
-#undef orbit_type
 
 module kyvadlo_state_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
@@ -23,25 +19,23 @@ module kyvadlo_state_real64
    use kyvadlo_orbit_real64, only: orbit_type, set_up
    use kyvadlo_motion_real64, only: place, azimuth
    use kyvadlo_passage_real64, only: phase_time
+   use kyvadlo_motion_kinds
+   use kyvadlo_status, only: error_type
+   use kyvadlo_pairs_real64
 #include "state.inc"
 end module kyvadlo_state_real64
 
-#define gaps_type gaps_type_real128
-#define orbit_type orbit_type_real128
-#define pair_type pair_type_real128
-#define pi_pair pi_pair_real128
 module kyvadlo_state_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_state
    use kyvadlo_orbit_real128, only: orbit_type, set_up
    use kyvadlo_motion_real128, only: place, azimuth
    use kyvadlo_passage_real128, only: phase_time
+   use kyvadlo_motion_kinds
+   use kyvadlo_status, only: error_type
+   use kyvadlo_pairs_real128
 #include "state.inc"
 end module kyvadlo_state_real128
-#undef gaps_type
-#undef orbit_type
-#undef pair_type
-#undef pi_pair
 
 module kyvadlo_state
    use kyvadlo_state_real32

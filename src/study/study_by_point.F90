@@ -3,7 +3,7 @@
 module kyvadlo_study_by_point
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
    use kyvadlo
-   use kyvadlo_two_part, only: pair, value, operator(*), operator(-)
+   use kyvadlo_pairs, only: pair, value, operator(*), operator(-)
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest
    use kyvadlo_study_record, only: study_type
