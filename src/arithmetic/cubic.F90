@@ -14,17 +14,21 @@ module kyvadlo_cubic_real64
 #include "cubic.inc"
 end module kyvadlo_cubic_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_cubic_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, xp => real128
    use kyvadlo_exact_sign_real128, only: monomial, exact_sign
    use kyvadlo_two_part_real128
 #include "cubic.inc"
 end module kyvadlo_cubic_real128
+#endif
 
 module kyvadlo_cubic
    use kyvadlo_cubic_real32
    use kyvadlo_cubic_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_cubic_real128
+#endif
    implicit none
    public
 end module kyvadlo_cubic

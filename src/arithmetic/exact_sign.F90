@@ -5,15 +5,19 @@ module kyvadlo_exact_sign_real64
 #include "exact_sign.inc"
 end module kyvadlo_exact_sign_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_exact_sign_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_two_part_real128, only: pair_type, two_sum, two_product
 #include "exact_sign.inc"
 end module kyvadlo_exact_sign_real128
+#endif
 
 module kyvadlo_exact_sign
    use kyvadlo_exact_sign_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_exact_sign_real128, monomial_type_real128 => monomial_type
+#endif
    implicit none
    public
 end module kyvadlo_exact_sign

@@ -9,15 +9,19 @@ module kyvadlo_two_part_real64
 #include "two_part.inc"
 end module kyvadlo_two_part_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_two_part_real128
    use, intrinsic :: iso_fortran_env, only: pk => real128
 #include "two_part.inc"
 end module kyvadlo_two_part_real128
+#endif
 
 module kyvadlo_two_part
    use kyvadlo_two_part_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_two_part_real128, pair_type_real128 => pair_type, pi_pair_real128 => pi_pair, &
       root_two_pair_real128 => root_two_pair
+#endif
    implicit none
    public
 end module kyvadlo_two_part

@@ -12,16 +12,20 @@ module kyvadlo_eval_real64
 end module kyvadlo_eval_real64
 
 #define orbit_type orbit_type_real128
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_eval_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "eval.inc"
 end module kyvadlo_eval_real128
+#endif
 #undef orbit_type
 
 module kyvadlo_eval
    use kyvadlo_eval_real32
    use kyvadlo_eval_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_eval_real128
+#endif
    implicit none
    public
 end module kyvadlo_eval

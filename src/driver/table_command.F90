@@ -12,10 +12,12 @@ module kyvadlo_table_command_real64
 end module kyvadlo_table_command_real64
 
 #define pendulum_type pendulum_type_real128
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_table_command_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "table_command.inc"
 end module kyvadlo_table_command_real128
+#endif
 #undef pendulum_type
 
 module kyvadlo_table_command
@@ -26,7 +28,9 @@ module kyvadlo_table_command
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_table_command_real32
    use kyvadlo_table_command_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_table_command_real128
+#endif
    use kyvadlo_table_options, only: table_options_type
    implicit none
    private

@@ -4,14 +4,18 @@ module kyvadlo_amplitude_real64
 #include "amplitude.inc"
 end module kyvadlo_amplitude_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_amplitude_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "amplitude.inc"
 end module kyvadlo_amplitude_real128
+#endif
 
 module kyvadlo_amplitude
    use kyvadlo_amplitude_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_amplitude_real128
+#endif
    implicit none
    public
 end module kyvadlo_amplitude

@@ -9,15 +9,19 @@ module kyvadlo_carlson_rc_real64
 #include "carlson_rc.inc"
 end module kyvadlo_carlson_rc_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_carlson_rc_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "carlson_rc.inc"
 end module kyvadlo_carlson_rc_real128
+#endif
 
 module kyvadlo_carlson_rc
    use kyvadlo_carlson_rc_real32
    use kyvadlo_carlson_rc_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_carlson_rc_real128
+#endif
    implicit none
    public
 end module kyvadlo_carlson_rc

@@ -11,16 +11,20 @@ module kyvadlo_carlson_rd_real64
 #include "carlson_rd.inc"
 end module kyvadlo_carlson_rd_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_carlson_rd_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_carlson_rf_real128, only: rf_series
 #include "carlson_rd.inc"
 end module kyvadlo_carlson_rd_real128
+#endif
 
 module kyvadlo_carlson_rd
    use kyvadlo_carlson_rd_real32
    use kyvadlo_carlson_rd_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_carlson_rd_real128
+#endif
    implicit none
    public
 end module kyvadlo_carlson_rd

@@ -9,15 +9,19 @@ module kyvadlo_carlson_rf_real64
 #include "carlson_rf.inc"
 end module kyvadlo_carlson_rf_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_carlson_rf_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "carlson_rf.inc"
 end module kyvadlo_carlson_rf_real128
+#endif
 
 module kyvadlo_carlson_rf
    use kyvadlo_carlson_rf_real32
    use kyvadlo_carlson_rf_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_carlson_rf_real128
+#endif
    implicit none
    public
 end module kyvadlo_carlson_rf

@@ -17,6 +17,7 @@ module kyvadlo_carlson_rj_real64
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_carlson_rj_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, xp => real128
    use kyvadlo_carlson_rc_real128, only: carlson_rc, rc_near_one
@@ -25,11 +26,14 @@ module kyvadlo_carlson_rj_real128
    use kyvadlo_carlson_rj_pair_real128, only: rj_principal_in_pairs
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real128
+#endif
 
 module kyvadlo_carlson_rj
    use kyvadlo_carlson_rj_real32
    use kyvadlo_carlson_rj_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_carlson_rj_real128
+#endif
    implicit none
    public
 end module kyvadlo_carlson_rj

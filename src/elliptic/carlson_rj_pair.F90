@@ -7,6 +7,7 @@ module kyvadlo_carlson_rj_pair_real64
 #include "carlson_rj_pair.inc"
 end module kyvadlo_carlson_rj_pair_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_carlson_rj_pair_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_carlson_rd_real128, only: rj_series
@@ -14,10 +15,13 @@ module kyvadlo_carlson_rj_pair_real128
       operator(-), operator(*), operator(/), sqrt
 #include "carlson_rj_pair.inc"
 end module kyvadlo_carlson_rj_pair_real128
+#endif
 
 module kyvadlo_carlson_rj_pair
    use kyvadlo_carlson_rj_pair_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_carlson_rj_pair_real128
+#endif
    implicit none
    public
 end module kyvadlo_carlson_rj_pair

@@ -10,8 +10,10 @@ end module kyvadlo_complete_polynomials
 module kyvadlo_complete_mean
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_nome_real128, only: log_nome
    use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, operator(+), operator(*), operator(/), sqrt
+#endif
 #include "complete_mean.inc"
 end module kyvadlo_complete_mean
 
@@ -27,16 +29,20 @@ module kyvadlo_complete_real64
 #include "complete.inc"
 end module kyvadlo_complete_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_complete_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_complete_mean, only: first_kind, second_kind, d_kind, b_kind
 #include "complete.inc"
 end module kyvadlo_complete_real128
+#endif
 
 module kyvadlo_complete
    use kyvadlo_complete_real32
    use kyvadlo_complete_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_complete_real128
+#endif
    implicit none
    public
 end module kyvadlo_complete

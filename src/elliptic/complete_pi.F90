@@ -13,17 +13,21 @@ module kyvadlo_complete_pi_real64
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_complete_pi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf, ieee_negative_inf
    use kyvadlo_bulirsch, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real128
+#endif
 
 module kyvadlo_complete_pi
    use kyvadlo_complete_pi_real32
    use kyvadlo_complete_pi_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_complete_pi_real128
+#endif
    implicit none
    public
 end module kyvadlo_complete_pi

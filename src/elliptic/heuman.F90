@@ -15,6 +15,7 @@ module kyvadlo_heuman_real64
 #include "heuman.inc"
 end module kyvadlo_heuman_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_heuman_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
@@ -22,11 +23,14 @@ module kyvadlo_heuman_real128
    use kyvadlo_bulirsch, only: general_complete
 #include "heuman.inc"
 end module kyvadlo_heuman_real128
+#endif
 
 module kyvadlo_heuman
    use kyvadlo_heuman_real32
    use kyvadlo_heuman_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_heuman_real128
+#endif
    implicit none
    public
 end module kyvadlo_heuman

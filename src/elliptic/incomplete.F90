@@ -19,6 +19,7 @@ module kyvadlo_incomplete_real64
 #include "incomplete.inc"
 end module kyvadlo_incomplete_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_incomplete_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
@@ -28,11 +29,14 @@ module kyvadlo_incomplete_real128
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "incomplete.inc"
 end module kyvadlo_incomplete_real128
+#endif
 
 module kyvadlo_incomplete
    use kyvadlo_incomplete_real32
    use kyvadlo_incomplete_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_incomplete_real128
+#endif
    implicit none
    public
 end module kyvadlo_incomplete

@@ -17,6 +17,7 @@ module kyvadlo_incomplete_pi_real64
 #include "incomplete_pi.inc"
 end module kyvadlo_incomplete_pi_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_incomplete_pi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
@@ -25,11 +26,14 @@ module kyvadlo_incomplete_pi_real128
    use kyvadlo_complete_pi, only: elliptic_pic
 #include "incomplete_pi.inc"
 end module kyvadlo_incomplete_pi_real128
+#endif
 
 module kyvadlo_incomplete_pi
    use kyvadlo_incomplete_pi_real32
    use kyvadlo_incomplete_pi_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_incomplete_pi_real128
+#endif
    implicit none
    public
 end module kyvadlo_incomplete_pi

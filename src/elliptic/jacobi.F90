@@ -10,17 +10,21 @@ module kyvadlo_jacobi_real64
 #include "jacobi.inc"
 end module kyvadlo_jacobi_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_jacobi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, real128, int64
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #include "jacobi.inc"
 end module kyvadlo_jacobi_real128
+#endif
 
 !> Jacobian elliptic functions in three kinds.
 module kyvadlo_jacobi
    use kyvadlo_jacobi_real32, jacobi_type_real32 => jacobi_type
    use kyvadlo_jacobi_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_jacobi_real128, jacobi_type_real128 => jacobi_type
+#endif
    implicit none
    public
 end module kyvadlo_jacobi

@@ -11,16 +11,20 @@ module kyvadlo_nome_real64
 #include "nome.inc"
 end module kyvadlo_nome_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_nome_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #include "nome.inc"
 end module kyvadlo_nome_real128
+#endif
 
 module kyvadlo_nome
    use kyvadlo_nome_real32, only: elliptic_nome, elliptic_nomec
    use kyvadlo_nome_real64, only: elliptic_nome, elliptic_nomec
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_nome_real128, only: elliptic_nome, elliptic_nomec
+#endif
    implicit none
    private
    public :: elliptic_nome, elliptic_nomec

@@ -10,17 +10,21 @@ module kyvadlo_theta_real64
 #include "theta.inc"
 end module kyvadlo_theta_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_theta_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
 #include "theta.inc"
 end module kyvadlo_theta_real128
+#endif
 
 !> Jacobi's theta functions in three kinds.
 module kyvadlo_theta
    use kyvadlo_theta_real32
    use kyvadlo_theta_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_theta_real128
+#endif
    implicit none
    public
 end module kyvadlo_theta

@@ -19,6 +19,7 @@ module kyvadlo_zeta_real64
 #include "zeta.inc"
 end module kyvadlo_zeta_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_zeta_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
@@ -28,11 +29,14 @@ module kyvadlo_zeta_real128
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "zeta.inc"
 end module kyvadlo_zeta_real128
+#endif
 
 module kyvadlo_zeta
    use kyvadlo_zeta_real32
    use kyvadlo_zeta_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_zeta_real128
+#endif
    implicit none
    public
 end module kyvadlo_zeta

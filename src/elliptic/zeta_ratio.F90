@@ -5,15 +5,19 @@ module kyvadlo_zeta_ratio_real64
 #include "zeta_ratio.inc"
 end module kyvadlo_zeta_ratio_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_zeta_ratio_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_bulirsch, only: general_mean
 #include "zeta_ratio.inc"
 end module kyvadlo_zeta_ratio_real128
+#endif
 
 module kyvadlo_zeta_ratio
    use kyvadlo_zeta_ratio_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_zeta_ratio_real128
+#endif
    implicit none
    public
 end module kyvadlo_zeta_ratio

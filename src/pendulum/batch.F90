@@ -27,6 +27,7 @@ module kyvadlo_batch_real64
 #undef kernel_takes_arguments
 end module kyvadlo_batch_real64
 
+#ifndef KYVADLO_NO_REAL128
 !> The kernels are real64: in real128 the scalar form serves, in the same blocks and threads.
 module kyvadlo_batch_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, int64
@@ -65,11 +66,14 @@ module kyvadlo_batch_real128
       end do
    end subroutine place_block
 end module kyvadlo_batch_real128
+#endif
 
 module kyvadlo_batch
    use kyvadlo_batch_real32
    use kyvadlo_batch_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_batch_real128
+#endif
    implicit none
    public
 end module kyvadlo_batch

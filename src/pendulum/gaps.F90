@@ -19,6 +19,7 @@ module kyvadlo_gaps_real64
 #include "gaps_state.inc"
 end module kyvadlo_gaps_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_gaps_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_status, only: error_type, fail, code_domain
@@ -27,3 +28,4 @@ module kyvadlo_gaps_real128
 #include "gaps_energy.inc"
 #include "gaps_state.inc"
 end module kyvadlo_gaps_real128
+#endif

@@ -24,6 +24,7 @@ module kyvadlo_motion_real64
 #undef has_kernel
 end module kyvadlo_motion_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_motion_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_orbit_real128
@@ -32,11 +33,14 @@ module kyvadlo_motion_real128
 #include "motion.inc"
 #include "motion_place.inc"
 end module kyvadlo_motion_real128
+#endif
 
 module kyvadlo_motion
    use kyvadlo_motion_real32
    use kyvadlo_motion_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_motion_real128
+#endif
    implicit none
    public
 end module kyvadlo_motion

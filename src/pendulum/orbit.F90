@@ -67,6 +67,7 @@ module kyvadlo_orbit_real64
 #undef has_kernel
 end module kyvadlo_orbit_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_orbit_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_motion_kinds
@@ -87,14 +88,17 @@ module kyvadlo_orbit_real128
 #undef rates_name
 #include "orbit_series.inc"
 end module kyvadlo_orbit_real128
+#endif
 
 module kyvadlo_orbit
    use kyvadlo_motion_kinds
    use kyvadlo_orbit_real32, orbit_type_real32 => orbit_type, turning_type_real32 => turning_type, &
       harmonics_type_real32 => harmonics_type
    use kyvadlo_orbit_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_orbit_real128, orbit_type_real128 => orbit_type, turning_type_real128 => turning_type, &
       harmonics_type_real128 => harmonics_type
+#endif
    implicit none
    public
 end module kyvadlo_orbit

@@ -19,6 +19,7 @@ module kyvadlo_passage_real64
 #include "passage.inc"
 end module kyvadlo_passage_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_passage_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_orbit_real128, only: orbit_type
@@ -27,11 +28,14 @@ module kyvadlo_passage_real128
    use kyvadlo_pairs_real128
 #include "passage.inc"
 end module kyvadlo_passage_real128
+#endif
 
 module kyvadlo_passage
    use kyvadlo_passage_real32
    use kyvadlo_passage_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_passage_real128
+#endif
    implicit none
    public
 end module kyvadlo_passage

@@ -35,6 +35,7 @@ module kyvadlo_start_real64
 #include "start.inc"
 end module kyvadlo_start_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
@@ -45,12 +46,15 @@ module kyvadlo_start_real128
    use kyvadlo_status, only: error_type, fail, code_domain
 #include "start.inc"
 end module kyvadlo_start_real128
+#endif
 
 module kyvadlo_start
    use kyvadlo_start_kinds
    use kyvadlo_start_real32
    use kyvadlo_start_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_start_real128
+#endif
    implicit none
    public
 end module kyvadlo_start

@@ -25,6 +25,7 @@ module kyvadlo_state_real64
 #include "state.inc"
 end module kyvadlo_state_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_state_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_state
@@ -36,11 +37,14 @@ module kyvadlo_state_real128
    use kyvadlo_pairs_real128
 #include "state.inc"
 end module kyvadlo_state_real128
+#endif
 
 module kyvadlo_state
    use kyvadlo_state_real32
    use kyvadlo_state_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_state_real128
+#endif
    implicit none
    public
 end module kyvadlo_state

@@ -18,10 +18,12 @@ end module kyvadlo_moment_real64
 #define orbit_type orbit_type_real128
 #define pair_type pair_type_real128
 #define moment_type moment_type_real128
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_moment_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
 #include "moment.inc"
 end module kyvadlo_moment_real128
+#endif
 #undef orbit_type
 #undef pair_type
 #undef moment_type
@@ -29,7 +31,9 @@ end module kyvadlo_moment_real128
 module kyvadlo_moment
    use kyvadlo_moment_real32
    use kyvadlo_moment_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_moment_real128
+#endif
    implicit none
    public
 end module kyvadlo_moment

@@ -13,15 +13,19 @@ module kyvadlo_number_text_real64
 #undef has_fast_form
 end module kyvadlo_number_text_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_number_text_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "number_text.inc"
 end module kyvadlo_number_text_real128
+#endif
 
 module kyvadlo_number_text
    use kyvadlo_number_text_real32
    use kyvadlo_number_text_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_number_text_real128
+#endif
    implicit none
    public
 end module kyvadlo_number_text

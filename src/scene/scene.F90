@@ -12,16 +12,20 @@ module kyvadlo_scene_real64
 end module kyvadlo_scene_real64
 
 #define pendulum_type pendulum_type_real128
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_scene_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #include "scene.inc"
 end module kyvadlo_scene_real128
+#endif
 #undef pendulum_type
 
 module kyvadlo_scene
    use kyvadlo_scene_real32
    use kyvadlo_scene_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_scene_real128
+#endif
    use kyvadlo_scene_names
    implicit none
    public

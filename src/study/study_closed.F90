@@ -13,9 +13,11 @@ module kyvadlo_study_closed_real64
 #undef has_kernel
 end module kyvadlo_study_closed_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_study_closed_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
 #define orbit_type orbit_type_real128
 #include "study_closed.inc"
 #undef orbit_type
 end module kyvadlo_study_closed_real128
+#endif

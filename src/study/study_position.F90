@@ -4,7 +4,9 @@ module kyvadlo_study_position
    use kyvadlo_study_by_point, only: ask_jacobi_series, ask_carlson_point, ask_small_angle
    use kyvadlo_study_closed_real32, only: ask_closed_form_real32 => ask_closed_form
    use kyvadlo_study_closed_real64, only: ask_closed_form, ask_theta_terms
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_study_closed_real128, only: ask_closed_form_real128 => ask_closed_form, ask_theta_terms_real128 => ask_theta_terms
+#endif
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_study_integrators, only: ask_integrators
 #endif

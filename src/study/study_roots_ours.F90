@@ -11,16 +11,20 @@ module kyvadlo_study_roots_real64
 #include "study_roots_ours.inc"
 end module kyvadlo_study_roots_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_study_roots_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo, only: orbit_type => orbit_type_real128
 #include "study_roots_ours.inc"
 end module kyvadlo_study_roots_real128
+#endif
 
 module kyvadlo_study_roots_ours
    use kyvadlo_study_roots_real32
    use kyvadlo_study_roots_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_study_roots_real128
+#endif
    implicit none
    public
 end module kyvadlo_study_roots_ours

@@ -25,17 +25,21 @@ module kyvadlo_study_start_real64
 #include "study_start.inc"
 end module kyvadlo_study_start_real64
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_study_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo, only: orbit_type => orbit_type_real128
 #include "study_start.inc"
 end module kyvadlo_study_start_real128
+#endif
 
 module kyvadlo_study_set_up
    use kyvadlo_study_start
    use kyvadlo_study_start_real32
    use kyvadlo_study_start_real64
+#ifndef KYVADLO_NO_REAL128
    use kyvadlo_study_start_real128
+#endif
    implicit none
    public
 end module kyvadlo_study_set_up

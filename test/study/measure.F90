@@ -13,6 +13,7 @@ module measure_real64
 #include "measure.inc"
 end module measure_real64
 
+#ifndef KYVADLO_NO_REAL128
 module measure_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, real128
    use kyvadlo
@@ -20,11 +21,14 @@ module measure_real128
 #include "measure.inc"
 #undef orbit_type
 end module measure_real128
+#endif
 
 module measure_rows
    use measure_real32
    use measure_real64
+#ifndef KYVADLO_NO_REAL128
    use measure_real128
+#endif
    implicit none
    public
 end module measure_rows

@@ -17,6 +17,7 @@ module pendulum_answers_real64
 #include "pendulum_answers.inc"
 end module pendulum_answers_real64
 
+#ifndef KYVADLO_NO_REAL128
 module pendulum_answers_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
@@ -26,11 +27,14 @@ module pendulum_answers_real128
 #include "pendulum_answers.inc"
 #undef orbit_type
 end module pendulum_answers_real128
+#endif
 
 module pendulum_answers
    use pendulum_answers_real32
    use pendulum_answers_real64
+#ifndef KYVADLO_NO_REAL128
    use pendulum_answers_real128
+#endif
    implicit none
    public
 end module pendulum_answers

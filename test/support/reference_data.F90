@@ -30,6 +30,7 @@ contains
 #include "reference_body.inc"
 end module reference_data_real64
 
+#ifndef KYVADLO_NO_REAL128
 module reference_data_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
@@ -42,12 +43,15 @@ module reference_data_real128
 contains
 #include "reference_body.inc"
 end module reference_data_real128
+#endif
 
 module reference_data
    use, intrinsic :: iso_fortran_env, only: real128
    use reference_data_real32
    use reference_data_real64
+#ifndef KYVADLO_NO_REAL128
    use reference_data_real128
+#endif
    implicit none
    private
    public :: ulps, read_reference, set_name_length
