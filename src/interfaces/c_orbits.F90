@@ -13,7 +13,8 @@ module kyvadlo_c_orbits
    public :: kyvadlo_orbit_from_energy_above_top
    public :: kyvadlo_orbit_from_energy_above_bottom
    public :: kyvadlo_orbit_from_release
-   public :: kyvadlo_orbit_from_state, kyvadlo_orbit_bytes, kyvadlo_locate, kyvadlo_locate_many, kyvadlo_turning
+   public :: kyvadlo_orbit_from_state, kyvadlo_orbit_bytes, kyvadlo_locate, kyvadlo_turning
+   public :: kyvadlo_locate_many, kyvadlo_locate_many_threads
    public :: kyvadlo_orbit_to_accuracy
    public :: kyvadlo_height_period
    public :: kyvadlo_modulus
@@ -225,21 +226,32 @@ contains
       call locate(seen(orbit), time, position, velocity)
    end subroutine kyvadlo_locate
 
-   !> By the vector kernels, and by threads where the library has them: `locate_many`.
+   !> By the vector kernels, on the caller's thread: `locate_many`.
    subroutine kyvadlo_locate_many(orbit, count, times, positions, velocities) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       integer(c_size_t), value :: count
       real(c_double), intent(in) :: times(count)
       real(c_double), intent(out) :: positions(3, count), velocities(3, count)
+
+      call kyvadlo_locate_many_threads(orbit, count, times, positions, velocities, 1_c_int)
+   end subroutine kyvadlo_locate_many
+
+   !> The same by `threads` threads, 0: as many as OpenMP offers.
+   subroutine kyvadlo_locate_many_threads(orbit, count, times, positions, velocities, threads) bind(c)
+      type(c_orbit_type), intent(in), target :: orbit
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: positions(3, count), velocities(3, count)
+      integer(c_int), value :: threads
       !> `locate_many` counts in default integers: longer arrays go in pieces.
       integer(c_size_t), parameter :: longest = 2**28
       integer(c_size_t) :: start, last
 
       do start = 1, count, longest
          last = min(count, start + longest - 1)
-         call locate_many(seen(orbit), times(start:last), positions(:, start:last), velocities(:, start:last))
+         call locate_many(seen(orbit), times(start:last), positions(:, start:last), velocities(:, start:last), threads=int(threads))
       end do
-   end subroutine kyvadlo_locate_many
+   end subroutine kyvadlo_locate_many_threads
 
    !> For languages that cannot read the size of the struct from kyvadlo.h.
    pure integer(c_size_t) function kyvadlo_orbit_bytes() result(bytes) bind(c)

@@ -133,10 +133,12 @@ double kyvadlo_time_to_height(const kyvadlo_orbit *orbit, double z); /* first t 
 double kyvadlo_time_to_rise(const kyvadlo_orbit *orbit, double rise); /* first t >= 0 at the rise l + z [s] */
 double kyvadlo_time_to_azimuth(const kyvadlo_orbit *orbit, double phi); /* first t >= 0 at the azimuth phi [s] */
 double kyvadlo_next_turning_time(const kyvadlo_orbit *orbit, double t); /* first turning point later than t [s] */
-/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]):
-   there by vector kernels, and in threads where the arrays are long and the library was built with OpenMP. */
+/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]) by vector
+   kernels. The last one shares long arrays among `threads` threads, 0: as many as OpenMP offers; the others stay on the caller's. */
 void kyvadlo_locate(const kyvadlo_orbit *orbit, double t, double position[3], double velocity[3]);
 void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions, double *velocities);
+void kyvadlo_locate_many_threads(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions,
+   double *velocities, int threads);
 
 #ifdef __cplusplus
 }

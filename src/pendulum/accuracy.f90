@@ -16,7 +16,7 @@ module kyvadlo_accuracy
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
    use kyvadlo_accuracy_bounds, only: error_bounds, finest_double, finest_quad, half_periods
-   use kyvadlo_batch, only: locate_batch
+   use kyvadlo_batch, only: check_sizes, locate_batch
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
@@ -291,61 +291,70 @@ contains
       text = trim(adjustl(buffer))
    end function text
 
-   !> Places (and velocities) at many times to the accuracy of the set-up: as `locate_batch` of an orbit. Rounding to real64 may
+   !> Positions (and velocities) at many times to the accuracy of the set-up: as `locate_batch` of an orbit. Rounding to real64 may
    !> add half a last digit of a coordinate where the accuracy is finer than that.
-   subroutine locate_to_accuracy(plan, time, x, y, z, vx, vy, vz, highest_level)
+   subroutine locate_to_accuracy(plan, time, x, y, z, vx, vy, vz, highest_level, threads)
       type(accurate_orbit_type), intent(in) :: plan
       real(real64), intent(in) :: time(:)                             !! [s] (n)
       real(real64), intent(out), dimension(:) :: x, y, z              !! [m] (n)
       real(real64), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
       integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
+      integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
       real(real128), allocatable :: placed(:, :)
-      integer :: first, last
+      integer :: first, last, n
+      logical :: fit
 
       if (.not. allocated(plan%wide)) then
-         call locate_batch(plan%orbit, time, x, y, z, vx, vy, vz, highest_level)
+         call locate_batch(plan%orbit, time, x, y, z, vx, vy, vz, highest_level, threads)
          return
       end if
-      allocate (placed(min(size(time), strip), merge(6, 3, present(vx))))
+      call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
+      if (.not. fit) return
+      allocate (placed(min(size(time), strip), 6))
       do first = 1, size(time), strip
          last = min(size(time), first + strip - 1)
-         associate (n => last - first + 1)
-            if (present(vx)) then
-               call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
-                  placed(:n, 4), placed(:n, 5), placed(:n, 6))
-               vx(first:last) = real(placed(:n, 4), real64)
-               vy(first:last) = real(placed(:n, 5), real64)
-               vz(first:last) = real(placed(:n, 6), real64)
-            else
-               call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3))
-            end if
-            x(first:last) = real(placed(:n, 1), real64)
-            y(first:last) = real(placed(:n, 2), real64)
-            z(first:last) = real(placed(:n, 3), real64)
-         end associate
+         n = last - first + 1
+         if (present(vx)) then
+            call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
+               placed(:n, 4), placed(:n, 5), placed(:n, 6), threads=threads)
+            vx(first:last) = real(placed(:n, 4), real64)
+            vy(first:last) = real(placed(:n, 5), real64)
+            vz(first:last) = real(placed(:n, 6), real64)
+         else
+            call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
+               threads=threads)
+         end if
+         x(first:last) = real(placed(:n, 1), real64)
+         y(first:last) = real(placed(:n, 2), real64)
+         z(first:last) = real(placed(:n, 3), real64)
       end do
    end subroutine locate_to_accuracy
 
    !> The same without rounding to real64. The times are real64: their exact values count.
-   subroutine locate_to_accuracy_real128(plan, time, x, y, z, vx, vy, vz)
+   subroutine locate_to_accuracy_real128(plan, time, x, y, z, vx, vy, vz, threads)
       type(accurate_orbit_type), intent(in) :: plan
       real(real64), intent(in) :: time(:)                              !! [s] (n)
       real(real128), intent(out), dimension(:) :: x, y, z              !! [m] (n)
       real(real128), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
+      integer, intent(in), optional :: threads  !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
       real(real64), allocatable :: placed(:, :)
+      logical :: fit
 
       if (allocated(plan%wide)) then
-         call locate_batch(plan%wide, real(time, real128), x, y, z, vx, vy, vz)
+         call locate_batch(plan%wide, real(time, real128), x, y, z, vx, vy, vz, threads=threads)
          return
       end if
-      allocate (placed(size(time), merge(6, 3, present(vx))))
+      call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
+      if (.not. fit) return
+      allocate (placed(size(time), 6))
       if (present(vx)) then
-         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), placed(:, 4), placed(:, 5), placed(:, 6))
+         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), placed(:, 4), placed(:, 5), placed(:, 6), &
+            threads=threads)
          vx = placed(:, 4)
          vy = placed(:, 5)
          vz = placed(:, 6)
       else
-         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3))
+         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), threads=threads)
       end if
       x = placed(:, 1)
       y = placed(:, 2)

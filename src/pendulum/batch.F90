@@ -1,12 +1,14 @@
-!> Places and velocities at many times of one orbit.
+!> Positions and velocities at many times of one orbit.
 !>
 !> `batch.inc` holds the public procedures, `batch_block.inc` what happens to a block, `batch_loop.inc` the kernels.
 module kyvadlo_batch_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real64, int64
    use kyvadlo_orbit_real32
    use kyvadlo_motion_real32
+   use kyvadlo_numbers_real32, only: quiet_nan
    use kyvadlo_batch_constants
    use kyvadlo_batch_dispatch
+   use kyvadlo_threads, only: thread_count
    use kyvadlo_motion_kinds
    use kyvadlo_pairs_real64
 #include "batch.inc"
@@ -17,8 +19,10 @@ module kyvadlo_batch_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, real64, int64
    use kyvadlo_orbit_real64
    use kyvadlo_motion_real64
+   use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_batch_constants
    use kyvadlo_batch_dispatch
+   use kyvadlo_threads, only: thread_count
    use kyvadlo_motion_kinds
    use kyvadlo_pairs_real64
 #define kernel_takes_arguments
@@ -33,8 +37,10 @@ module kyvadlo_batch_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real64, int64
    use kyvadlo_orbit_real128
    use kyvadlo_motion_real128
+   use kyvadlo_numbers_real128, only: quiet_nan
    use kyvadlo_batch_constants
    use kyvadlo_batch_dispatch
+   use kyvadlo_threads, only: thread_count
    use kyvadlo_motion_kinds
    use kyvadlo_pairs_real128
 #include "batch.inc"

@@ -1,10 +1,11 @@
 !> The period alone, without setting up an orbit: of one orbit or of many.
 module kyvadlo_periods
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real64
    use kyvadlo_batch_constants, only: block_size, group_size
    use kyvadlo_batch_kernel_single, only: period_point
    use kyvadlo_batch_dispatch, only: vector_level, period_groups
+   use kyvadlo_numbers_real64, only: quiet_nan
+   use kyvadlo_threads, only: thread_count
    implicit none
    private
    public :: period_from_gaps, periods_from_gaps
@@ -23,20 +24,45 @@ contains
       call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
    end function period_from_gaps
 
-   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate_batch`.
-   subroutine periods_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level)
+   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate_batch`. Arrays of different sizes give
+   !> NaN.
+   subroutine periods_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
       real(real64), intent(in), dimension(:) :: top_gap, bottom_gap     !! l - z1, l + z2 [m] (n)
       real(real64), intent(out), dimension(:) :: period                 !! [s] (n)
       integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
-      real(real64), dimension(block_size) :: top, bottom, found
+      integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
       real(real64) :: unit, factor
-      integer :: start, points, orbits, level
+      integer :: block, blocks, orbits, level, sharing
 
+      orbits = size(period)
+      if (size(top_gap) /= orbits .or. size(bottom_gap) /= orbits) then
+         period = quiet_nan
+         return
+      end if
       call scale_lengths(length, gravity, unit, factor)
       level = vector_level(highest_level)
-      orbits = size(period)
-      do start = 1, orbits, block_size
+      blocks = (orbits + block_size - 1)/block_size
+      sharing = thread_count(threads, orbits, blocks)
+      if (sharing > 1) then
+         !$omp parallel do schedule(static) num_threads(sharing)
+         do block = 1, blocks
+            call fill_block(block)
+         end do
+      else
+         do block = 1, blocks
+            call fill_block(block)
+         end do
+      end if
+
+   contains
+
+      subroutine fill_block(block)
+         integer, intent(in) :: block
+         real(real64), dimension(block_size) :: top, bottom, found
+         integer :: start, points
+
+         start = (block - 1)*block_size + 1
          points = min(block_size, orbits - start + 1)
          top(:points) = top_gap(start:start + points - 1)*unit
          bottom(:points) = bottom_gap(start:start + points - 1)*unit
@@ -44,7 +70,7 @@ contains
          bottom(points + 1:) = 0
          call period_groups(level, (points + group_size - 1)/group_size, length*unit, factor, top, bottom, found)
          period(start:start + points - 1) = found(:points)
-      end do
+      end subroutine fill_block
    end subroutine periods_from_gaps
 
    !> The power of 4 that brings the length near 1, and pi l sqrt(2)/sqrt(g) in seconds for lengths times it.
@@ -58,6 +84,6 @@ contains
       unit = scale(1.0_real64, -2*power)
       factor = root_two_pi*(length*unit)/sqrt(gravity)*scale(1.0_real64, power)
       ! Without gravity, or with an infinite one, there is no period: the set-ups refuse both.
-      if (.not. (gravity > 0 .and. gravity <= huge(gravity))) factor = ieee_value(factor, ieee_quiet_nan)
+      if (.not. (gravity > 0 .and. gravity <= huge(gravity))) factor = quiet_nan
    end subroutine scale_lengths
 end module kyvadlo_periods

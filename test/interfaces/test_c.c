@@ -58,6 +58,17 @@ int main(void)
   /* The vector kernels: 5 eps of the length and of the greatest speed (6 m/s) at worst for each of the two. */
   for (i = 0; i < 3; ++i)
     check(fabs(many[3 + i] - p[i]) <= 10*DBL_EPSILON && fabs(rates[3 + i] - v[i]) <= 60*DBL_EPSILON, "many times");
+  {
+    /* Threads that are asked for change no value. */
+    static double at[20000], here[60000], there[60000], moving[60000];
+    int n, threads;
+    for (n = 0; n < 20000; n++) at[n] = 0.01*n;
+    kyvadlo_locate_many(&orbit, 20000, at, here, moving);
+    for (threads = 0; threads < 4; threads++) {
+      kyvadlo_locate_many_threads(&orbit, 20000, at, there, moving, threads);
+      check(memcmp(here, there, sizeof here) == 0, "many threads");
+    }
+  }
   check(kyvadlo_orbit_bytes() == sizeof orbit, "the size of an orbit");
 
   {
