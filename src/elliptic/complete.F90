@@ -3,13 +3,13 @@
 !> real64 evaluates polynomials, real32 the same ones, real128 the arithmetic-geometric mean.
 module kyvadlo_complete_polynomials
    use, intrinsic :: iso_fortran_env, only: wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
 #include "complete_polynomials.inc"
 end module kyvadlo_complete_polynomials
 
 module kyvadlo_complete_mean
    use, intrinsic :: iso_fortran_env, only: wp => real128
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_numbers_real128, only: quiet_nan, infinity
 #ifndef KYVADLO_NO_REAL128
    use kyvadlo_nome_real128, only: log_nome
    use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, operator(+), operator(*), operator(/), sqrt

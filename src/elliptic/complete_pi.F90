@@ -1,14 +1,14 @@
 !> Complete elliptic integral of the third kind in three kinds; real32 is computed in real64.
 module kyvadlo_complete_pi_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf, ieee_negative_inf
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_bulirsch, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real32
 
 module kyvadlo_complete_pi_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf, ieee_negative_inf
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_bulirsch, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real64
@@ -16,7 +16,7 @@ end module kyvadlo_complete_pi_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_complete_pi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf, ieee_negative_inf
+   use kyvadlo_numbers_real128, only: quiet_nan, infinity
    use kyvadlo_bulirsch, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real128

@@ -1,7 +1,7 @@
 !> Heuman's lambda function in three kinds; real32 is computed in real64.
 module kyvadlo_heuman_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_bulirsch, only: general_complete
 #include "heuman.inc"
@@ -9,7 +9,7 @@ end module kyvadlo_heuman_real32
 
 module kyvadlo_heuman_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_bulirsch, only: general_complete
 #include "heuman.inc"
@@ -18,7 +18,7 @@ end module kyvadlo_heuman_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_heuman_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real128, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_bulirsch, only: general_complete
 #include "heuman.inc"

@@ -1,7 +1,7 @@
 !> Incomplete elliptic integrals F, E, D, B in three kinds; real32 is computed in real64.
 module kyvadlo_incomplete_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
@@ -11,7 +11,7 @@ end module kyvadlo_incomplete_real32
 
 module kyvadlo_incomplete_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
@@ -22,7 +22,7 @@ end module kyvadlo_incomplete_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_incomplete_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan, ieee_positive_inf
+   use kyvadlo_numbers_real128, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc

@@ -1,7 +1,7 @@
 !> Jacobi's zeta function in three kinds; real32 is computed in real64.
 module kyvadlo_zeta_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_carlson, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
@@ -11,7 +11,7 @@ end module kyvadlo_zeta_real32
 
 module kyvadlo_zeta_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_carlson, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
@@ -22,7 +22,7 @@ end module kyvadlo_zeta_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_zeta_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use kyvadlo_numbers_real128, only: quiet_nan
    use kyvadlo_carlson, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc
    use kyvadlo_jacobi, only: jacobi_functions, jacobi_functionsc
