@@ -7,15 +7,15 @@ module kyvadlo_complete_polynomials
 #include "complete_polynomials.inc"
 end module kyvadlo_complete_polynomials
 
+#ifndef KYVADLO_NO_REAL128
 module kyvadlo_complete_mean
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-#ifndef KYVADLO_NO_REAL128
    use kyvadlo_nome_real128, only: log_nome
    use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, operator(+), operator(*), operator(/), sqrt
-#endif
 #include "complete_mean.inc"
 end module kyvadlo_complete_mean
+#endif
 
 module kyvadlo_complete_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
