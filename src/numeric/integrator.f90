@@ -21,7 +21,7 @@ module kyvadlo_integrator
    use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
    use kyvadlo_string, only: string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
-   use kyvadlo_turned_azimuth, only: turned_azimuth
+   use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
    implicit none
    private
    public :: integration_type, new_integration, advance, finish, integrate
@@ -45,7 +45,9 @@ module kyvadlo_integrator
       logical, private :: is_at_knot = .false.         !! ... or at a knot of the table
       integer, private :: between = unknown            !! How samples in the last step are found
       logical, private :: with_azimuth = .false.
-      real(wp), private :: azimuth = 0                 !! At the end of the last step, turns counted [rad]
+      real(wp) :: azimuth = 0, azimuth_before = 0      !! At both ends of the last step, turns counted; NaN while the bob has not
+      !! left the axis [rad]
+      real(wp) :: first_azimuth = 0                    !! The first one known; NaN as long as there is none [rad]
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
@@ -65,7 +67,11 @@ contains
    !>
    !> A start off the surface of the suspension fails; with extra lengths it is moved to the nearest point of the surface
    !> and a radial velocity is left out, an elastic pendulum may start anywhere.
-   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, with_azimuth)
+   !>
+   !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of a bob at
+   !> rest there that nothing moves yet.
+   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, with_azimuth, &
+         azimuth)
       type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
@@ -74,6 +80,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: with_work        !! .false.: works are not wanted, and zero (default .true.)
       logical, intent(in), optional :: with_azimuth     !! Turns are counted, for `azimuths` of `advance` (default .false.)
+      real(wp), intent(in), optional :: azimuth         !! Of the direction in which it will leave the axis [rad]
       type(forces_type) :: forces
       real(wp) :: p(3), v(3), distance, outward(3), bending, acceleration(3), tension, powers(2)
       logical :: is_taut, wants_work
@@ -105,7 +112,6 @@ contains
       wants_work = .true.
       if (present(with_work)) wants_work = with_work
       if (present(with_azimuth)) run%with_azimuth = with_azimuth
-      if (run%with_azimuth) run%azimuth = turned_azimuth(p(1), p(2), 0.0_wp)
       run%tolerance = tolerance
       run%unit_length = length
       run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
@@ -115,6 +121,18 @@ contains
       call stretch(forces%suspension, p, v, distance, outward, bending)
       call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers)
       if (effects%is_string) is_taut = tension >= 0
+      run%azimuth = ieee_value(tension, ieee_quiet_nan)
+      if (present(azimuth)) run%azimuth = azimuth
+      if (is_upright(p(1), p(2)) .and. is_upright(v(1), v(2))) then
+         if (.not. is_taut) call move(forces, .false., 0.0_wp, p, v, acceleration, tension, powers)
+         ! Of what rounding leaves of accelerations that balance nothing follows.
+         if (maxval(abs(acceleration(:2))) > 64*epsilon(tension)*(gravity + norm2(effects%pivot_amplitude &
+            *effects%pivot_frequency**2))) run%azimuth = atan2(acceleration(2), acceleration(1))
+      else
+         run%azimuth = turned_azimuth(p(1), p(2), v(1), v(2), ieee_value(tension, ieee_quiet_nan))
+      end if
+      run%azimuth_before = run%azimuth
+      run%first_azimuth = run%azimuth
       call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
          run%unit_speed**2], first_step*sqrt(length/gravity))
       if (.not. is_taut .and. forces%is_elastic) run%stepper%problem%slack = (forces%suspension%radius**2 - distance**2)/2
@@ -168,7 +186,8 @@ contains
          end if
          if (allocated(error)) exit
          call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
-         if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), run%azimuth)
+         if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), velocities(1, i), &
+            velocities(2, i), run%azimuth_before)
          run%last_time = times(i)
       end do
       if (.not. allocated(error)) return
@@ -227,8 +246,7 @@ contains
          if (failed) return
          if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
          run%is_at_knot = stepper%time >= knot
-         if (run%with_azimuth) run%azimuth = turned_azimuth(stepper%problem%base(1) + stepper%y(1), &
-            stepper%problem%base(2) + stepper%y(2), run%azimuth)
+         if (run%with_azimuth) call turn_azimuth(run)
          run%steps = run%steps + 1
          run%rejected = stepper%rejected
          if (is_far) then
@@ -240,6 +258,17 @@ contains
          end if
       end associate
    end subroutine next_step
+
+   !> Follows the azimuth to the end of a step.
+   pure subroutine turn_azimuth(run)
+      type(integration_type), intent(inout) :: run
+
+      run%azimuth_before = run%azimuth
+      associate (p => run%stepper%problem%base + run%stepper%y(1:3), v => run%stepper%y(4:6))
+         run%azimuth = turned_azimuth(p(1), p(2), v(1), v(2), run%azimuth)
+      end associate
+      if (.not. abs(run%first_azimuth) <= huge(run%azimuth)) run%first_azimuth = run%azimuth
+   end subroutine turn_azimuth
 
    !> Remembers the end of a step.
    subroutine note_step(run)

@@ -125,8 +125,7 @@ contains
          energy => block%column(quantity_energy), momentum => block%column(quantity_momentum), &
          azimuth_column => block%column(quantity_azimuth))
          piece = block%piece
-         if (azimuth_column > 0 .and. .not. values(1, 1) > 0) &
-            block%azimuth = turned_azimuth(string%pieces(1)%position(1), string%pieces(1)%position(2), 0.0_wp)
+         if (azimuth_column > 0 .and. .not. values(1, 1) > 0) block%azimuth = first_azimuth(string)
          first = 1
          do while (first <= n)
             ! The piece of this sample, and the last sample in it.
@@ -150,7 +149,8 @@ contains
                   if (p > 0) values(i, p:p + 2) = position
                   if (v > 0) values(i, v:v + 2) = velocity
                   if (tension_column > 0) values(i, tension_column) = tension
-                  if (azimuth_column > 0) values(i, azimuth_column) = turned_azimuth(position(1), position(2), block%azimuth)
+                  if (azimuth_column > 0) values(i, azimuth_column) = turned_azimuth(position(1), position(2), velocity(1), &
+                     velocity(2), block%azimuth)
                end do
             end if
             first = last + 1
@@ -172,8 +172,22 @@ contains
       at_end = at_start
       associate (this => string%pieces(piece), next => string%pieces(piece + 1))
          if (this%is_taut) at_end = at_start + (azimuth(this%orbit, next%start - this%start) - azimuth(this%orbit, 0.0_wp))
-         at_end = turned_azimuth(next%position(1), next%position(2), at_end)
+         at_end = turned_azimuth(next%position(1), next%position(2), next%velocity(1), next%velocity(2), at_end)
       end associate
    end function azimuth_after
+
+   !> The azimuth at the start; of a bob that first falls along the axis that of its first motion off it. NaN: it has none.
+   pure real(wp) function first_azimuth(string) result(azimuth)
+      type(string_motion_type), intent(in) :: string
+      integer :: i
+
+      azimuth = ieee_value(azimuth, ieee_quiet_nan)
+      do i = 1, size(string%pieces)
+         associate (p => string%pieces(i)%position, v => string%pieces(i)%velocity)
+            azimuth = turned_azimuth(p(1), p(2), v(1), v(2), azimuth)
+         end associate
+         if (azimuth == azimuth) return
+      end do
+   end function first_azimuth
 
 end module kyvadlo_exact_samples
