@@ -25,11 +25,11 @@ contains
    pure subroutine fail(error, code, message)
       type(error_type), allocatable, intent(out) :: error  !! Allocated on return
       integer, intent(in) :: code                          !! One of the `code_*` constants
-      character(len=*), intent(in) :: message              !! Names the procedure, the rule and the values
+      character(len=*), intent(in) :: message              !! Names the procedure, the rule and the values; blanks at its end go
 
       allocate (error)
       error%code = code
-      error%message = message
+      error%message = trim(message)
    end subroutine fail
 
 end module kyvadlo_status

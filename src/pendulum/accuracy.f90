@@ -246,10 +246,10 @@ contains
       plan%bound = ieee_value(plan%bound, ieee_quiet_nan)
    end subroutine spoil
 
-   !> What was chosen, for people: 'real32 vectors, harmonics 0 to 2'.
+   !> What was chosen, for people, blanks behind: 'real32 vectors, harmonics 0 to 2'.
    pure function choice_text(plan) result(words)
       type(accurate_orbit_type), intent(in) :: plan
-      character(len=:), allocatable :: words
+      character(len=34) :: words
 
       associate (b => plan%orbit%kernel)
          if (allocated(plan%wide)) then
@@ -270,7 +270,7 @@ contains
    !> The kind that computes the places.
    pure function kind_text(plan) result(name)
       type(accurate_orbit_type), intent(in) :: plan
-      character(len=:), allocatable :: name
+      character(len=7) :: name
 
       name = 'real64'
       if (grade_is_narrow(plan%orbit%kernel%grade)) name = 'real32'
@@ -280,15 +280,14 @@ contains
    !> A number in a message.
    pure function text(number)
       real(real64), intent(in) :: number
-      character(len=:), allocatable :: text
-      character(len=12) :: buffer
+      character(len=12) :: text
 
       if (abs(number) > 0 .and. (abs(number) < 1e-98_real64 .or. abs(number) > 1e98_real64)) then
-         write (buffer, '(es12.2e3)') number
+         write (text, '(es12.2e3)') number
       else
-         write (buffer, '(es12.2e2)') number
+         write (text, '(es12.2e2)') number
       end if
-      text = trim(adjustl(buffer))
+      text = adjustl(text)
    end function text
 
    !> Positions (and velocities) at many times to the accuracy of the set-up: as `locate_batch` of an orbit. Rounding to real64 may

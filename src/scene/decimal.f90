@@ -16,9 +16,11 @@ module kyvadlo_decimal
    !> Magnitudes served. Below, the products would not fit into 127 bits: 55 of four times m, 70 of 5**30; above, the value
    !> times the power of ten would be a whole number already.
    real(real64), parameter :: smallest = 2.0_real64**(-46), largest = 2.0_real64**49
-   integer :: i_power
-   integer(wide), parameter :: powers_of_five(0:30) = [(5_wide**i_power, i_power=0, 30)]
-   integer(int64), parameter :: powers_of_ten(0:18) = [(10_int64**i_power, i_power=0, 18)]
+   !> Written out: the index of an implied loop would be a variable of the module.
+   integer, parameter :: count_up(0:30) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, &
+      23, 24, 25, 26, 27, 28, 29, 30]
+   integer(wide), parameter :: powers_of_five(0:30) = 5_wide**count_up
+   integer(int64), parameter :: powers_of_ten(0:18) = 10_int64**count_up(:18)
    real(real64), parameter :: log10_of_two = log10(2.0_real64)
    !> 00 01 02 ... 99
    character(len=*), parameter :: pairs = &

@@ -10,7 +10,7 @@ contains
    !> A path as messages name it.
    pure function file_name(path) result(name)
       character(len=*), intent(in) :: path
-      character(len=:), allocatable :: name
+      character(len=merge(14, len(path), path == '-')) :: name
 
       name = path
       if (path == '-') name = 'standard input'
@@ -67,12 +67,12 @@ contains
       if (length == 0) call fail(error, code_input, file_name(path)//': the file is empty')
    end subroutine read_file
 
-   !> The system's words out of gfortran's `Cannot open file 'x': No such file or directory`.
+   !> The system's words, blanks behind, out of gfortran's `Cannot open file 'x': No such file or directory`.
    pure function system_reason(message) result(reason)
       character(len=*), intent(in) :: message
-      character(len=:), allocatable :: reason
+      character(len=len(message)) :: reason
 
-      reason = trim(message(index(message, ''': ') + 1:))
+      reason = message(index(message, ''': ') + 1:)
       if (index(message, ''': ') > 0) reason = reason(3:)
    end function system_reason
 

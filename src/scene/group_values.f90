@@ -2,10 +2,10 @@
 module kyvadlo_group_values
    use kyvadlo_namelist_file, only: group_type, place_of
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: integer_text, lower_case, shown
+   use kyvadlo_text, only: lower_case, shown
    implicit none
    private
-   public :: entry_place, take_text, take_truth, wants
+   public :: entry_place, take_text, take_truth
 
 contains
 
@@ -71,15 +71,5 @@ contains
          end select
       end associate
    end subroutine take_truth
-
-   !> What a name takes, for messages.
-   pure function wants(name, count) result(text)
-      character(len=*), intent(in) :: name
-      integer, intent(in) :: count
-      character(len=:), allocatable :: text
-
-      text = name//' takes one number'
-      if (count > 1) text = name//' takes '//integer_text(count)//' numbers'
-   end function wants
 
 end module kyvadlo_group_values

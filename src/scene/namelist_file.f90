@@ -8,7 +8,7 @@
 module kyvadlo_namelist_file
    use kyvadlo_file_text, only: file_name, read_file
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: integer_text, lower_case, shown, text_type
+   use kyvadlo_text, only: integer_length, integer_text, lower_case, shown, shown_length, text_type
    implicit none
    private
    public :: value_type, entry_type, group_type, read_groups, parse_groups, place_of
@@ -49,7 +49,7 @@ contains
    pure function place_of(file, line) result(text)
       character(len=*), intent(in) :: file
       integer, intent(in) :: line
-      character(len=:), allocatable :: text
+      character(len=len(file) + 3 + integer_length(line)) :: text
 
       text = file//':'//integer_text(line)//': '
    end function place_of
@@ -96,8 +96,8 @@ contains
          call skip_blanks(text, cursor)
          if (cursor%at > len(text)) exit
          if (text(cursor%at:cursor%at) /= '&') then
-            call fail(error, code_input, here(cursor)//'only groups (&name ... /) and comments (! ...) are expected, ' &
-               //'got '//quoted(rest_of_line(text, cursor%at)))
+            call refuse(error, cursor, 'only groups (&name ... /) and comments (! ...) are expected, ' &
+               //'got '//quoted(text(cursor%at:line_end(text, cursor%at))))
             return
          end if
          if (count == size(groups)) then
@@ -127,8 +127,8 @@ contains
       last = end_of_name(text, cursor%at + 1)
       group%name = lower_case(text(cursor%at + 1:last))
       if (group%name == '') then
-         call fail(error, code_input, here(cursor)//'& must be followed by the name of a group, got ' &
-            //quoted(rest_of_line(text, cursor%at)))
+         call refuse(error, cursor, '& must be followed by the name of a group, got ' &
+            //quoted(text(cursor%at:line_end(text, cursor%at))))
          return
       end if
       cursor%at = last + 1
@@ -156,7 +156,7 @@ contains
                //' has no end (/)')
             return
          else if (text(cursor%at:cursor%at) == '&') then
-            call fail(error, code_input, here(cursor)//quoted(text(cursor%at:last))//' begins before group &' &
+            call refuse(error, cursor, quoted(text(cursor%at:last))//' begins before group &' &
                //shown(group%name)//' of line '//integer_text(group%line)//' has its end (/)')
             return
          end if
@@ -219,8 +219,8 @@ contains
       allocate (entry%values(0))
       call match_name(text, cursor%at, cursor%line, entry%name, entry%subscript, next, line)
       if (next == 0) then
-         call fail(error, code_input, here(cursor)//'expected `name = value`, got ' &
-            //quoted(rest_of_line(text, cursor%at)))
+         call refuse(error, cursor, 'expected `name = value`, got ' &
+            //quoted(text(cursor%at:line_end(text, cursor%at))))
          return
       end if
       cursor%at = next
@@ -284,7 +284,7 @@ contains
             exit
          case (',')
             if (after_comma) then
-               call fail(error, code_input, here(cursor)//shown(entry%name)//': a value is missing before the comma')
+               call refuse(error, cursor, shown(entry%name)//': a value is missing before the comma')
                return
             end if
             after_comma = .true.
@@ -299,8 +299,8 @@ contains
             if (next > 0) exit
             call parse_word(text, cursor, value)
             if (value%text == '') then
-               call fail(error, code_input, here(cursor)//shown(entry%name)//': unexpected ' &
-                  //quoted(rest_of_line(text, cursor%at)))
+               call refuse(error, cursor, shown(entry%name)//': unexpected ' &
+                  //quoted(text(cursor%at:line_end(text, cursor%at))))
                return
             end if
             star = index(value%text, '*')
@@ -310,14 +310,14 @@ contains
                   read (value%text(:star - 1), '(i5)') repeat_count
                   value%text = value%text(star + 1:)
                   if (value%text == '' .or. repeat_count == 0) then
-                     call fail(error, code_input, here(cursor)//shown(entry%name) &
+                     call refuse(error, cursor, shown(entry%name) &
                         //': a value and a count are needed in r*value')
                      return
                   end if
                end if
             end if
             if (size(entry%values) + repeat_count > most_values) then
-               call fail(error, code_input, here(cursor)//shown(entry%name)//': more than ' &
+               call refuse(error, cursor, shown(entry%name)//': more than ' &
                   //integer_text(most_values)//' values')
                return
             end if
@@ -363,7 +363,7 @@ contains
          cursor%at = i + 1
          return
       end do
-      call fail(error, code_input, here(cursor)//'the text '//shown(rest_of_line(text, cursor%at)) &
+      call refuse(error, cursor, 'the text '//shown(text(cursor%at:line_end(text, cursor%at))) &
          //' has no closing '//mark//' on its line')
    end subroutine parse_text
 
@@ -417,16 +417,15 @@ contains
       end do
    end function end_of_name
 
-   pure function rest_of_line(text, at) result(rest)
+   !> Last place of the line, blanks at its end left out.
+   pure integer function line_end(text, at) result(last)
       character(len=*), intent(in) :: text
       integer, intent(in) :: at
-      character(len=:), allocatable :: rest
-      integer :: length
 
-      length = scan(text(at:), line_feed//carriage_return) - 1
-      if (length < 0) length = len(text) - at + 1
-      rest = trim(text(at:at + length - 1))
-   end function rest_of_line
+      last = scan(text(at:), line_feed//carriage_return) + at - 2
+      if (last < at - 1) last = len(text)
+      last = at - 1 + len_trim(text(at:last))
+   end function line_end
 
    pure integer function line_of(text, at) result(line)
       character(len=*), intent(in) :: text
@@ -439,16 +438,18 @@ contains
       end do
    end function line_of
 
-   pure function here(cursor) result(text)
+   !> An error where the parser stands.
+   pure subroutine refuse(error, cursor, message)
+      type(error_type), allocatable, intent(out) :: error
       type(cursor_type), intent(in) :: cursor
-      character(len=:), allocatable :: text
+      character(len=*), intent(in) :: message
 
-      text = place_of(cursor%file, cursor%line)
-   end function here
+      call fail(error, code_input, place_of(cursor%file, cursor%line)//message)
+   end subroutine refuse
 
    pure function quoted(text)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: quoted
+      character(len=2 + shown_length(text)) :: quoted
 
       quoted = "'"//shown(text)//"'"
    end function quoted

@@ -4,24 +4,34 @@ module kyvadlo_quoting
    private
    public :: csv_field, gnuplot_text, shell_word
 
+   !> Where one of these stands in it a field of CSV needs quotation marks.
+   character(len=*), parameter :: special = ',"'//achar(10)//achar(13)
+
 contains
+
+   pure integer function replaced_length(text, letter, by) result(length)
+      character(len=*), intent(in) :: text, letter, by
+      integer :: i
+
+      length = len(text)
+      do i = 1, len(text)
+         if (text(i:i) == letter) length = length + len(by) - 1
+      end do
+   end function replaced_length
 
    !> A field of CSV: in quotation marks where it needs them.
    pure function csv_field(text) result(field)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: field
+      character(len=merge(len(text), 2 + replaced_length(text, '"', '""'), scan(text, special) == 0)) :: field
 
-      if (scan(text, ',"'//new_line('a')//achar(13)) == 0) then
-         field = text
-      else
-         field = '"'//replaced(text, '"', '""')//'"'
-      end if
+      field = text
+      if (scan(text, special) > 0) field = '"'//replaced(text, '"', '""')//'"'
    end function csv_field
 
    !> A text of gnuplot: between single quotation marks, which are doubled inside.
    pure function gnuplot_text(text) result(quoted)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: quoted
+      character(len=2 + replaced_length(text, "'", "''")) :: quoted
 
       quoted = "'"//replaced(text, "'", "''")//"'"
    end function gnuplot_text
@@ -29,24 +39,25 @@ contains
    !> A word that the shell takes as it is: the path of a file, which is no option even if it begins with a dash.
    pure function shell_word(text) result(word)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: word
+      character(len=2*merge(2, 1, index(text, '-') == 1) + replaced_length(text, "'", "'\''")) :: word
 
-      word = "'"//replaced(text, "'", "'\''")//"'"
-      if (index(text, '-') == 1) word = "'./"//word(2:)
+      word = "'"//trim(merge('./', '  ', index(text, '-') == 1))//replaced(text, "'", "'\''")//"'"
    end function shell_word
 
    !> Every such letter replaced.
    pure function replaced(text, letter, by) result(new)
       character(len=*), intent(in) :: text, letter, by
-      character(len=:), allocatable :: new
-      integer :: i
+      character(len=replaced_length(text, letter, by)) :: new
+      integer :: i, at
 
-      new = ''
+      at = 1
       do i = 1, len(text)
          if (text(i:i) == letter) then
-            new = new//by
+            new(at:at + len(by) - 1) = by
+            at = at + len(by)
          else
-            new = new//text(i:i)
+            new(at:at) = text(i:i)
+            at = at + 1
          end if
       end do
    end function replaced

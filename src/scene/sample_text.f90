@@ -2,7 +2,7 @@
 module kyvadlo_sample_text
    use kyvadlo_decimal, only: longest_decimal, put_shortest
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_number_text, only: shortest_text
+   use kyvadlo_number_text, only: padded_shortest, shortest_text
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
    use kyvadlo_text, only: text_sink_type, text_type
    implicit none
@@ -118,7 +118,7 @@ contains
       type(scene_event_type), intent(in) :: event
 
       if (associated(sink%events)) then
-         call sink%events%put(event_row(event))
+         call sink%events%put(trim(event_row(event)))
       else
          call sink%lines%put('# '//trim(event%what)//': t = '//shortest_text(event%time)//' s, x = ' &
             //shortest_text(event%position(1))//' m, y = '//shortest_text(event%position(2))//' m, z = ' &
@@ -126,10 +126,10 @@ contains
       end if
    end subroutine note_csv
 
-   !> An event under `event_head`.
+   !> An event under `event_head`, blanks behind.
    pure function event_row(event) result(row)
       type(scene_event_type), intent(in) :: event
-      character(len=:), allocatable :: row
+      character(len=6*(longest_decimal + 1)) :: row
 
       row = shortest_text(event%time)//','//trim(event%what)//','//shortest_text(event%position(1))//',' &
          //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','//shortest_text(event%energy_lost)
@@ -140,13 +140,13 @@ contains
       real(wp), intent(in) :: value
       character(len=*), intent(inout) :: buffer
       integer, intent(inout) :: used
-      character(len=:), allocatable :: text
+      character(len=longest_decimal + 1) :: text
       integer :: length
 
       call put_shortest(value, buffer(used + 1:), length)
       if (length == 0 .and. value == value) then
-         text = shortest_text(value)
-         length = len(text)
+         text = padded_shortest(value)
+         length = len_trim(text)
          buffer(used + 1:used + length) = text
       end if
       used = used + length

@@ -312,23 +312,23 @@ contains
    end subroutine read_quantities
 
    pure function known_groups() result(text)
-      character(len=:), allocatable :: text
+      character(len=(size(group_names) + 1)*(len(group_names) + 3)) :: text
       integer :: i
 
       text = '&pendulum'
       do i = 1, size(group_names)
-         text = text//', &'//trim(group_names(i))
+         text = trim(text)//', &'//group_names(i)
       end do
    end function known_groups
 
    pure function known_names(group) result(text)
       integer, intent(in) :: group
-      character(len=:), allocatable :: text
+      character(len=16*size(settings)) :: text
       integer :: i
 
       text = ''
       do i = 1, size(settings)
-         if (settings(i)%group == group) text = text//', '//trim(settings(i)%name)
+         if (settings(i)%group == group) text = trim(text)//', '//settings(i)%name
       end do
       if (text == '') then
          text = '; it takes none'
@@ -338,12 +338,12 @@ contains
    end function known_names
 
    pure function known_quantities() result(text)
-      character(len=:), allocatable :: text
+      character(len=16*size(quantities)) :: text
       integer :: i
 
-      text = trim(quantities(1)%name)
+      text = quantities(1)%name
       do i = 2, size(quantities)
-         text = text//', '//trim(quantities(i)%name)
+         text = trim(text)//', '//quantities(i)%name
       end do
    end function known_quantities
 

@@ -198,15 +198,6 @@ contains
       end select
    end subroutine put_facts
 
-   !> A text moved to the right end of a field.
-   pure function right(text, width) result(field)
-      character(len=*), intent(in) :: text
-      integer, intent(in) :: width
-      character(len=:), allocatable :: field
-
-      field = repeat(' ', max(0, width - letters(text)))//text
-   end function right
-
    !> Characters of a UTF-8 text: its bytes less the following ones, 10xxxxxx.
    pure integer function letters(text)
       character(len=*), intent(in) :: text
@@ -217,5 +208,14 @@ contains
          if (iand(iachar(text(i:i)), 192) /= 128) letters = letters + 1
       end do
    end function letters
+
+   !> A text moved to the right end of a field.
+   pure function right(text, width) result(field)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: width
+      character(len=len(text) + max(0, width - letters(text))) :: field
+
+      field = repeat(' ', max(0, width - letters(text)))//text
+   end function right
 
 end module kyvadlo_sheet

@@ -97,7 +97,7 @@ contains
             end if
             path%path = path_integrated
             path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
-            path%reason = integrated_groups(simulation)//': no closed form'
+            path%reason = trim(integrated_groups(simulation))//': no closed form'
          else if (settings%given(string_group) .and. lowest_tension(path%orbit) < 0) then
             path%path = path_string
             path%method = 'closed forms of swings on the sphere and free flights, event by event'
@@ -115,9 +115,9 @@ contains
             path%reason = trim(path%reason)//' point'
          else
             path%path = path_closed_form
-            path%method = closed_form_words(path%orbit)
+            path%method = trim(closed_form_words(path%orbit))
             path%reason = 'no effect without a closed form is asked for'
-            if (integrated_groups(simulation) /= '') path%reason = integrated_groups(simulation)//': nothing there that acts'
+            if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))//': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
             if (present(accuracy)) call plan_accuracy(pendulum, accuracy, path, error)
          end if
@@ -155,22 +155,22 @@ contains
       if (allocated(error)) then
          error%message = pendulum%file//': '//error%message
       else
-         path%method = path%method//' ('//choice_text(path%plan)//')'
+         path%method = path%method//' ('//trim(choice_text(path%plan))//')'
       end if
    end subroutine plan_accuracy
 
-   !> The groups without a closed form, in words.
+   !> The groups without a closed form, in words, blanks behind.
    pure function integrated_groups(simulation) result(words)
       type(simulation_type), intent(in) :: simulation
-      character(len=:), allocatable :: words
+      character(len=size(integrated)*(len(group_names) + 3)) :: words
       integer :: i
 
       words = ''
       do i = 1, size(integrated)
          if (.not. simulation%settings%given(integrated(i))) cycle
-         if (words /= '') words = words//', '
-         words = words//'&'//trim(group_names(integrated(i)))
+         words = trim(words)//', &'//group_names(integrated(i))
       end do
+      words = words(3:)
    end function integrated_groups
 
    !> The tension over mass at the highest point of an orbit, (2 c1 - 3 g z1)/l [m/s2].
@@ -199,7 +199,7 @@ contains
 
    pure function closed_form_words(orbit) result(words)
       type(orbit_type), intent(in) :: orbit
-      character(len=:), allocatable :: words
+      character(len=80) :: words
 
       select case (orbit%motion)
       case (motion_conical)

@@ -3,7 +3,8 @@ module kyvadlo_text
    use, intrinsic :: iso_fortran_env, only: int64
    implicit none
    private
-   public :: text_type, text_sink_type, counting_sink_type, append, integer_text, join, lower_case, shown, split_words
+   public :: text_type, text_sink_type, counting_sink_type, append, integer_text, integer_length, join, lower_case, shown, &
+      shown_length, split_words
 
    !> A text of any length, so that arrays of texts may have elements of different length.
    type :: text_type
@@ -31,6 +32,7 @@ module kyvadlo_text
       end subroutine put_line
    end interface
 
+   integer, parameter :: longest = 60   !! Bytes of a text that `shown` leaves uncut
    character(len=*), parameter :: tabulator = achar(9), carriage_return = achar(13)
 
 contains
@@ -57,14 +59,25 @@ contains
       call move_alloc(longer, texts)
    end subroutine append
 
+   !> What an integer takes, its sign included.
+   pure integer function integer_length(value) result(length)
+      integer, intent(in) :: value
+      integer :: rest
+
+      length = merge(2, 1, value < 0)
+      rest = value/10
+      do while (rest /= 0)
+         rest = rest/10
+         length = length + 1
+      end do
+   end function integer_length
+
    !> An integer without blanks.
    pure function integer_text(value) result(text)
       integer, intent(in) :: value
-      character(len=:), allocatable :: text
-      character(len=12) :: buffer
+      character(len=integer_length(value)) :: text
 
-      write (buffer, '(i0)') value
-      text = trim(buffer)
+      write (text, '(i0)') value
    end function integer_text
 
    !> ASCII letters in lower case; every other byte unchanged.
@@ -82,40 +95,55 @@ contains
       end do
    end function lower_case
 
+   pure integer function joined_length(words, separator) result(length)
+      type(text_type), intent(in) :: words(:)
+      character(len=*), intent(in) :: separator
+      integer :: i
+
+      length = max(0, size(words) - 1)*len(separator)
+      do i = 1, size(words)
+         length = length + len(words(i)%text)
+      end do
+   end function joined_length
+
    !> Words separated by a separator.
    pure function join(words, separator) result(text)
       type(text_type), intent(in) :: words(:)
       character(len=*), intent(in) :: separator
-      character(len=:), allocatable :: text
-      integer :: i
+      character(len=joined_length(words, separator)) :: text
+      integer :: i, at
 
-      text = ''
+      at = 0
       do i = 1, size(words)
-         if (i > 1) text = text//separator
-         text = text//words(i)%text
+         text(at + 1:) = words(i)%text//separator
+         at = at + len(words(i)%text) + len(separator)
       end do
    end function join
+
+   pure integer function shown_length(text) result(length)
+      character(len=*), intent(in) :: text
+
+      length = len(text)
+      if (length <= longest) return
+      length = longest
+      ! A UTF-8 character is not cut in two: its following bytes are 10xxxxxx.
+      do while (length > 1 .and. iand(iachar(text(length + 1:length + 1)), 192) == 128)
+         length = length - 1
+      end do
+      length = length + len('...')
+   end function shown_length
 
    !> A text made fit for a one-line message: cut after 60 bytes, control characters as `?`.
    pure function shown(text)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: shown
-      integer, parameter :: longest = 60
-      integer :: i, last
+      character(len=shown_length(text)) :: shown
+      integer :: i
 
-      last = len(text)
-      if (last > longest) then
-         last = longest
-         ! A UTF-8 character is not cut in two: its following bytes are 10xxxxxx.
-         do while (last > 1 .and. iand(iachar(text(last + 1:last + 1)), 192) == 128)
-            last = last - 1
-         end do
-      end if
-      shown = text(:last)
-      do i = 1, last
+      shown = text
+      if (len(text) > longest) shown(len(shown) - 2:) = '...'
+      do i = 1, len(shown)
          if (iachar(shown(i:i)) < 32 .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
       end do
-      if (last < len(text)) shown = shown//'...'
    end function shown
 
    !> First and last positions of the words of a line. Blanks, tabulators and carriage returns separate words.

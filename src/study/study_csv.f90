@@ -29,7 +29,7 @@ contains
       end if
       call sink%put(csv_header)
       do i = 1, study%count
-         call sink%put(csv_line(study%cells(i)))
+         call sink%put(trim(csv_line(study%cells(i))))
       end do
    end subroutine write_csv
 
@@ -40,13 +40,12 @@ contains
 
       call sink%put(mark//'kyvadlo '//version//', '//compiler)
       call sink%put(mark//trim(adjustl(compiler_flags)))
-      call sink%put(mark//processor())
+      call sink%put(mark//trim(processor()))
    end subroutine write_machine
 
    !> What Linux calls the processor.
    function processor() result(name)
-      character(len=:), allocatable :: name
-      character(len=256) :: line
+      character(len=256) :: name, line
       integer :: unit, status
 
       name = 'an unknown processor'
@@ -56,7 +55,7 @@ contains
          read (unit, '(a)', iostat=status) line
          if (status /= 0) exit
          if (line(:10) /= 'model name') cycle
-         name = trim(adjustl(line(index(line, ':') + 1:)))
+         name = adjustl(line(index(line, ':') + 1:))
          exit
       end do
       close (unit)

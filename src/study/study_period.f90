@@ -7,6 +7,7 @@ module kyvadlo_study_period
    use kyvadlo_study_period_gsl, only: free_table, gauss_period, gsl_k_period, gsl_table_type, has_gsl, new_table, &
       qag_period
    use kyvadlo_study_period_methods
+   use kyvadlo_text, only: integer_length, integer_text
    use kyvadlo_study_orbits, only: study_orbit_type
    use kyvadlo_study_record, only: cell_type, measure, study_type, work_type
    use kyvadlo_study_set_up, only: set_up_orbit, study_start_type
@@ -126,21 +127,18 @@ contains
    !> The kind of T: places in single precision have theirs from double.
    function period_kind(orbit) result(name)
       type(accurate_orbit_type), intent(in) :: orbit
-      character(len=:), allocatable :: name
+      character(len=7) :: name
 
       name = merge('real128', 'real64 ', allocated(orbit%wide))
-      name = trim(name)
    end function period_kind
 
    !> A setting: a word, which may be empty, and a number.
    function numbered(word, number) result(text)
       character(len=*), intent(in) :: word
       integer, intent(in) :: number
-      character(len=:), allocatable :: text
-      character(len=8) :: digits
+      character(len=len(word) + integer_length(number)) :: text
 
-      write (digits, '(i0)') number
-      text = word//trim(digits)
+      text = word//integer_text(number)
    end function numbered
 
    subroutine period_pass(work)

@@ -72,11 +72,11 @@ contains
       call sink%put('error = ''(column(6) > 1e-36 ? column(6) < 10 ? column(6) : 10 : 1e-36)''')
       do i = 1, 2
          if (i == 1) then
-            call sink%put("set terminal svg size "//page_size(rows, columns)// &
+            call sink%put("set terminal svg size "//trim(page_size(rows, columns))// &
                " enhanced background '#ffffff'")
             call sink%put("set output before.'study_"//question//".svg'")
          else
-            call sink%put("set terminal pngcairo size "//page_size(rows, columns)//' enhanced')
+            call sink%put("set terminal pngcairo size "//trim(page_size(rows, columns))//' enhanced')
             call sink%put("set output before.'study_"//question//".png'")
          end if
          call put_panels(study, question, orbits, series, rows, columns, sink)
@@ -86,7 +86,7 @@ contains
    !> In points.
    function page_size(rows, columns) result(text)
       integer, intent(in) :: rows, columns
-      character(len=:), allocatable :: text
+      character(len=16) :: text
 
       text = integer_text(panel_width*columns)//','//integer_text(panel_height*rows + head_height)
    end function page_size
@@ -94,15 +94,13 @@ contains
    !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 72 for numbers and a title.
    function margins(rows, columns) result(text)
       integer, intent(in) :: rows, columns
-      character(len=:), allocatable :: text
-      character(len=80) :: line
+      character(len=80) :: text
       real :: width, height
 
       width = panel_width*columns
       height = panel_height*rows + head_height
-      write (line, '(3(f6.4,","),f6.4," spacing ",f6.4,",",f6.4)') 55/width, 1 - 15/width, 35/height, 1 - 65/height, &
+      write (text, '(3(f6.4,","),f6.4," spacing ",f6.4,",",f6.4)') 55/width, 1 - 15/width, 35/height, 1 - 65/height, &
          60/width, 72/height
-      text = trim(line)
    end function margins
 
    !> The panels on one page, the last one for the legend.
@@ -116,13 +114,13 @@ contains
       integer :: i, j
 
       call sink%put('set multiplot layout '//integer_text(rows)//','//integer_text(columns)//' title '// &
-         gnuplot_text(question_title(question)//'; against nanoseconds a result')//' margins '//margins(rows, columns))
+         gnuplot_text(trim(question_title(question))//'; against nanoseconds a result')//' margins '//trim(margins(rows, columns)))
       do i = 1, size(orbits)
-         call sink%put('set title '//gnuplot_text(protected(orbits(i)%text)))
+         call sink%put('set title '//gnuplot_text(trim(protected(orbits(i)%text))))
          call sink%put('plot \')
          do j = 1, size(series)
-            call sink%put("   csv using ("//picked(question, orbits(i)%text, series(j))//"):(@error) "// &
-               style(series, j)//merge(', \', '   ', j < size(series)))
+            call sink%put("   csv using ("//trim(picked(question, orbits(i)%text, series(j)))//"):(@error) "// &
+               trim(style(series, j))//merge(', \', '   ', j < size(series)))
          end do
       end do
       call sink%put('unset title')
@@ -132,7 +130,7 @@ contains
       call sink%put('set key center center font ",8" samplen 2 spacing 0.8')
       call sink%put('plot \')
       do j = 1, size(series)
-         call sink%put('   NaN '//style(series, j)//" title '"//label(study, question, series(j))//"'"// &
+         call sink%put('   NaN '//trim(style(series, j))//" title '"//trim(label(study, question, series(j)))//"'"// &
             merge(', \', '   ', j < size(series)))
       end do
       call sink%put('unset multiplot')
@@ -147,13 +145,13 @@ contains
    function picked(question, orbit, series) result(expression)
       character(len=*), intent(in) :: question, orbit
       type(series_type), intent(in) :: series
-      character(len=:), allocatable :: expression
+      character(len=256) :: expression
 
       expression = "'"//question//"', "//gnuplot_text(orbit)//", '"//trim(series%method)//"', '"//trim(series%kind)//"'"
       if (series%form == '') then
-         expression = 'taken_by_all('//expression//')'
+         expression = 'taken_by_all('//trim(expression)//')'
       else
-         expression = 'taken('//expression//", '"//trim(series%form)//"')"
+         expression = 'taken('//trim(expression)//", '"//trim(series%form)//"')"
       end if
    end function picked
 
@@ -161,7 +159,7 @@ contains
    function style(series, j) result(text)
       type(series_type), intent(in) :: series(:)
       integer, intent(in) :: j
-      character(len=:), allocatable :: text
+      character(len=80) :: text
       integer :: i, number, form
 
       number = 0
@@ -175,13 +173,13 @@ contains
          integer_text(1 + modulo(form, 5))
       select case (series(j)%kind)
       case ('real32')
-         text = text//' pt 6'
+         text = trim(text)//' pt 6'
       case ('real64')
-         text = text//' pt 7'
+         text = trim(text)//' pt 7'
       case default
-         text = text//' pt 9'
+         text = trim(text)//' pt 9'
       end select
-      text = text//merge(' lw 2', ' lw 1', series(j)%method == 'closed_form' .or. series(j)%method == 'ours')
+      text = trim(text)//merge(' lw 2', ' lw 1', series(j)%method == 'closed_form' .or. series(j)%method == 'ours')
    end function style
 
    !> The kind is named where the method has several.
@@ -189,15 +187,15 @@ contains
       type(study_type), intent(in) :: study
       character(len=*), intent(in) :: question
       type(series_type), intent(in) :: series
-      character(len=:), allocatable :: text
+      character(len=160) :: text
 
       text = trim(series%method)
-      if (series%form /= '') text = text//' '//trim(series%form)
+      if (series%form /= '') text = trim(text)//' '//series%form
       associate (cells => study%cells(:study%count))
          if (any(cells%question == question .and. cells%method == series%method .and. cells%kind /= series%kind)) &
-            text = text//' '//trim(series%kind)
+            text = trim(text)//' '//series%kind
       end associate
-      text = protected(text)
+      text = protected(trim(text))
    end function label
 
    subroutine list_series(study, question, series)
@@ -245,16 +243,21 @@ contains
          (blank < len(setting) .and. verify(setting(blank + 1:), '0123456789.e+-') == 0)
    end function has_number
 
-   !> A text without the marks of gnuplot's enhanced text.
+   !> A text without the marks of gnuplot's enhanced text, blanks behind.
    pure function protected(text) result(safe)
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: safe
-      integer :: i
+      character(len=2*len(text)) :: safe
+      integer :: i, used
 
       safe = ''
+      used = 0
       do i = 1, len(text)
-         if (scan(text(i:i), '_^{}@&~\') > 0) safe = safe//'\'
-         safe = safe//text(i:i)
+         if (scan(text(i:i), '_^{}@&~\') > 0) then
+            used = used + 1
+            safe(used:used) = '\'
+         end if
+         used = used + 1
+         safe(used:used) = text(i:i)
       end do
    end function protected
 

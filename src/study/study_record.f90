@@ -198,7 +198,7 @@ contains
    !> The cell as a line of the CSV file: a word instead of the numbers where there are none.
    function csv_line(cell) result(line)
       type(cell_type), intent(in) :: cell
-      character(len=:), allocatable :: line
+      character(len=256) :: line
       character(len=64) :: numbers
 
       select case (cell%outcome)
@@ -212,7 +212,7 @@ contains
       line = trim(cell%question)//','//csv_field(trim(cell%orbit))//','//trim(cell%method)//','//csv_field(trim(cell%setting))// &
          ','//trim(cell%kind)//','//trim(numbers)
       write (numbers, '(i0)') cell%evaluations
-      line = line//','//trim(numbers)
+      line = trim(line)//','//numbers
    end function csv_line
 
 end module kyvadlo_study_record

@@ -35,7 +35,7 @@ contains
       do i = 1, size(questions)
          call names_in(study, 'orbit', questions(i)%text, orbits)
          if (i > 1) call sink%put('')
-         call sink%put(question_title(questions(i)%text))
+         call sink%put(trim(question_title(questions(i)%text)))
          call sink%put('')
          call write_overall(study, questions(i)%text, orbits, sink)
          call sink%put('')
@@ -49,7 +49,7 @@ contains
    !> The question in words, and what its errors are.
    function question_title(question) result(title)
       character(len=*), intent(in) :: question
-      character(len=:), allocatable :: title
+      character(len=104) :: title
 
       select case (question)
       case ('position')
@@ -227,7 +227,7 @@ contains
          call accuracies_asked(study, questions(i)%text, asked)
          if (size(asked) == 0) cycle
          call sink%put('')
-         call sink%put('closed_form to a stated accuracy. '//question_title(questions(i)%text))
+         call sink%put('closed_form to a stated accuracy. '//trim(question_title(questions(i)%text)))
          call sink%put('')
          write (line, '(2x,a10,a14,2(a13,a11))') 'asked for ', 'worst error', 'ns', 'of double', without_set_up, 'of double'
          call sink%put(trim(line))
@@ -337,16 +337,16 @@ contains
 
    pure function ratio_text(x) result(text)
       real(real64), intent(in) :: x
-      character(len=:), allocatable :: text
+      character(len=11) :: text
+      character(len=12) :: number
 
       if (x < 10) then
-         allocate (character(len=4) :: text)
-         write (text, '(f4.1)') x
+         write (number, '(f4.1)') x
       else
-         text = number_text(min(x, 1e9_real64))
-         if (x >= 100) text = text(:12)
+         number = number_text(min(x, 1e9_real64))
       end if
-      text = 'x'//trim(adjustl(text))
+      number = adjustl(number)
+      text = 'x'//number(:10)
    end function ratio_text
 
    !> A time as a multiple of another, if both were measured.
