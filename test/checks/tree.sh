@@ -30,7 +30,7 @@ refuse 'fast-math' '-[O]fast|-ffast-mat[h]|-funsafe-mat[h]' bootstrap .ci cmake 
 
 # Only the program prints or stops.
 refuse 'the library prints or stops' '^[^!'"'"'"]*\b((error )?stop\b|print *(\*|'"'"')|write *\( *\*)' \
-   src/kinds.f90 src/status.f90 src/kyvadlo.f90 src/arithmetic src/arithmetic src/elliptic src/pendulum src/numeric src/scene src/interfaces
+   src/kinds.f90 src/status.f90 src/kyvadlo.F90 src/arithmetic src/arithmetic src/elliptic src/pendulum src/numeric src/scene src/interfaces
 
 # State lives in arguments.
 refuse 'saved state' '^[^!]*(\bsave\b *(::|$)|, *save\b)' src/arithmetic src/elliptic src/pendulum src/numeric src/scene src/interfaces

@@ -14,14 +14,21 @@
 !> Grades 1 to 4 reduce the time by the period in plain real64, which limits the span.
 module kyvadlo_accuracy
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use, intrinsic :: iso_fortran_env, only: real32, real64
+#ifdef KYVADLO_NO_REAL128
+   ! No wider kind here: what is said of it below is never reached.
+   use, intrinsic :: iso_fortran_env, only: real128 => real64
+   use kyvadlo_orbit_real64, only: orbit_type_real128 => orbit_type
+#else
+   use, intrinsic :: iso_fortran_env, only: real128
+   use kyvadlo_orbit_real128, only: orbit_type_real128 => orbit_type
+#endif
    use kyvadlo_accuracy_bounds, only: error_bounds, finest_double, finest_quad, half_periods
    use kyvadlo_batch, only: check_sizes, locate_batch
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
    use kyvadlo_orbit_real64, only: new_orbit_from_gaps, orbit_type
-   use kyvadlo_orbit_real128, only: orbit_type_real128 => orbit_type
    use kyvadlo_start, only: new_orbit, new_rough_orbit
    use kyvadlo_status, only: code_domain, error_type, fail
    implicit none
@@ -50,7 +57,10 @@ module kyvadlo_accuracy
    end interface new_orbit_to_accuracy
 
    interface locate_batch
-      module procedure locate_to_accuracy, locate_to_accuracy_real128
+      module procedure locate_to_accuracy
+#ifndef KYVADLO_NO_REAL128
+      module procedure locate_to_accuracy_real128
+#endif
    end interface locate_batch
 
    interface height_period
@@ -84,10 +94,16 @@ contains
       if (.not. allocated(error)) then
          call choose(plan, .false., is_kept)
          if (is_kept) return
+#ifdef KYVADLO_NO_REAL128
+         call fail(error, code_domain, 'new_orbit_to_accuracy: this build has no quadruple precision, and double precision '// &
+            'keeps an accuracy of '//text(finest_double)//' and 2**52 half periods, got accuracy '//text(accuracy)//' and '// &
+            text(half_periods(plan%orbit, plan%span))//' half periods')
+#else
          allocate (plan%wide)
          call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128), real(first, real128), &
             real(second, real128), error)
          if (.not. allocated(error)) call check_wide(plan, error)
+#endif
       end if
       if (allocated(error)) call spoil(plan)
    end subroutine to_accuracy_from_start
@@ -329,6 +345,7 @@ contains
       end do
    end subroutine locate_to_accuracy
 
+#ifndef KYVADLO_NO_REAL128
    !> The same without rounding to real64. The times are real64: their exact values count.
    subroutine locate_to_accuracy_real128(plan, time, x, y, z, vx, vy, vz, threads)
       type(accurate_orbit_type), intent(in) :: plan
@@ -359,6 +376,7 @@ contains
       y = placed(:, 2)
       z = placed(:, 3)
    end subroutine locate_to_accuracy_real128
+#endif
 
    !> T, (16) [s], rounded to real64: of real128 accuracy in `plan%wide`.
    elemental real(real64) function period_to_accuracy(plan) result(period)

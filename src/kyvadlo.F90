@@ -15,8 +15,10 @@ module kyvadlo
    use kyvadlo_theta
    use kyvadlo_cubic
    use kyvadlo_motion_kinds
-   use kyvadlo_orbit, only: orbit_type, orbit_type_real32, orbit_type_real128, &
-      turning_type, turning_type_real32, turning_type_real128, &
+#ifndef KYVADLO_NO_REAL128
+   use kyvadlo_orbit, only: orbit_type_real128, turning_type_real128
+#endif
+   use kyvadlo_orbit, only: orbit_type, orbit_type_real32, turning_type, turning_type_real32, &
       new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises, new_orbit_from_release, &
       new_orbit_from_energy, new_orbit_from_energy_above_top, new_orbit_from_energy_above_bottom, from_upper_turning
    use kyvadlo_state

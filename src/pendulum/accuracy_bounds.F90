@@ -1,6 +1,12 @@
 !> What the position error of an orbit is at most, grade by grade of the batch kernels: the model by which kyvadlo_accuracy chooses.
 module kyvadlo_accuracy_bounds
-   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use, intrinsic :: iso_fortran_env, only: real32, real64
+#ifdef KYVADLO_NO_REAL128
+   ! No wider kind here: what is said of it below is never reached.
+   use, intrinsic :: iso_fortran_env, only: real128 => real64
+#else
+   use, intrinsic :: iso_fortran_env, only: real128
+#endif
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_orbit_real64, only: orbit_type
@@ -12,7 +18,7 @@ module kyvadlo_accuracy_bounds
    !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are promised.
    real(real64), parameter :: finest_double = 16*epsilon(1.0_real64)
    !> The same of real128, whose series and pairs are the same to its own epsilon; with four times the room.
-   real(real64), parameter :: finest_quad = real(64*epsilon(1.0_real128), real64)
+   real(real64), parameter :: finest_quad = min(finest_double, real(64*epsilon(1.0_real128), real64))
    !> What real32 adds by rounding once the phase is reduced, in l: 3.3 eps at worst in 27000 random orbits of every regime and 24
    !> places of each; 6 leave room.
    real(real64), parameter :: narrow_rounding = 6*real(epsilon(1.0_real32), real64)

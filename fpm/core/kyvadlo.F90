@@ -1,0 +1,1 @@
+../../src/kyvadlo.F90

@@ -1,1 +1,0 @@
-../../src/kyvadlo.f90
