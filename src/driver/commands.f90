@@ -33,7 +33,6 @@ module kyvadlo_commands
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
       command_type('simulate', 'SCENE', 'the samples of a scene: places, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
-      command_type('bench', '', 'the cost and the error of our functions beside those of other libraries'), &
       command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit')]
 
    type(option_type), parameter :: options(*) = [ &
@@ -63,11 +62,6 @@ module kyvadlo_commands
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
-      option_type('bench', '--functions', '', 'the elliptic functions'), &
-      option_type('bench', '--motion', '', 'places, velocities, periods and set-up'), &
-      option_type('bench', '--accuracy', '', 'places to a stated accuracy'), &
-      option_type('bench', '--scenes', '', 'samples of simulated scenes'), &
-      option_type('bench', '--quick', '', 'a tenth of the passes: to see that it runs, not to measure'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
       option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &
       option_type('study', '--seconds', 'S', 'measure every point for S seconds (default 0.02, with --quick 0.002)'), &
@@ -90,9 +84,6 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
-      example_type('bench', 'kyvadlo bench --functions', 'the elliptic functions beside GSL and Boost'), &
-      example_type('bench', 'kyvadlo bench --motion', 'the motion beside two sines and a division'), &
-      example_type('bench', 'kyvadlo bench --accuracy', 'what an accuracy of 1e-6 saves'), &
       example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
       example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
       example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &
@@ -116,10 +107,6 @@ module kyvadlo_commands
       explanation_type('eval', &
          'NAME, requests are read from standard input, one a line, and each is answered by one'), &
       explanation_type('eval', 'line: the results, or `error: MESSAGE`. Exit status 1 if any request failed.'), &
-      explanation_type('bench', &
-         'Medians of several passes, all columns of a row measured in turn, in units of a scalar sine'), &
-      explanation_type('bench', &
-         'measured beside. GSL and Boost are measured live where this build found them.'), &
       explanation_type('study', &
          'Positions, periods, turning heights and elliptic functions by our closed form and by what else'), &
       explanation_type('study', &

@@ -1,16 +1,11 @@
 !> The program `kyvadlo`: the only code that opens standard output, ends with a status and writes messages.
 program kyvadlo_main
-   use, intrinsic :: iso_fortran_env, only: output_unit
-   use kyvadlo_bench_accuracy, only: bench_accuracy
-   use kyvadlo_bench_functions, only: bench_functions
-   use kyvadlo_bench_motion, only: bench_motion
-   use kyvadlo_bench_scenes, only: bench_scenes
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
    use kyvadlo_simulate_command, only: simulate_command
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
-   use kyvadlo_status, only: code_file, code_input, error_type, fail
+   use kyvadlo_status, only: error_type
    use kyvadlo_study_command, only: study_command
    use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
@@ -54,8 +49,6 @@ contains
                call table_command(arguments, error)
             case ('simulate')
                call simulate_command(arguments, error)
-            case ('bench')
-               call bench_command(arguments, error)
             case ('study')
                call study_command(arguments, error)
             case default
@@ -69,31 +62,6 @@ contains
          status = 2
       end if
    end subroutine run
-
-   !> Measures. The tables appear line by line, so they go to a unit of Fortran's.
-   subroutine bench_command(arguments, error)
-      type(arguments_type), intent(in) :: arguments
-      type(error_type), allocatable, intent(out) :: error
-      integer :: status
-      logical :: some
-
-      if (size(arguments%operands) > 0) then
-         call fail(error, code_input, "bench takes no operand, got '"//arguments%operands(1)%text//"'")
-         return
-      end if
-      some = option_given(arguments, '--functions') .or. option_given(arguments, '--motion') .or. &
-         option_given(arguments, '--accuracy') .or. option_given(arguments, '--scenes')
-      if (option_given(arguments, '--functions') .or. .not. some) &
-         call bench_functions(output_unit, option_given(arguments, '--quick'))
-      if (option_given(arguments, '--motion') .or. .not. some) &
-         call bench_motion(output_unit, option_given(arguments, '--quick'))
-      if (option_given(arguments, '--accuracy') .or. .not. some) &
-         call bench_accuracy(output_unit, option_given(arguments, '--quick'))
-      if (option_given(arguments, '--scenes') .or. .not. some) &
-         call bench_scenes(output_unit, option_given(arguments, '--quick'))
-      flush (output_unit, iostat=status)
-      if (status /= 0) call fail(error, code_file, 'cannot write to standard output')
-   end subroutine bench_command
 
    subroutine write_version(output)
       type(output_type), intent(inout) :: output

@@ -2,7 +2,7 @@
 . "$2/test/driver/expect.sh"
 
 fails 2 'no command' 
-fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, bench, study" tabel
+fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, study" tabel
 fails 2 "unknown command ''" ''
 fails 2 "unknown option '--frobnicate'" --frobnicate
 fails 2 "unknown option '--frobnicate'" eval --frobnicate
@@ -20,12 +20,12 @@ for word in --help -h; do
    expect_in_out 'Usage: kyvadlo COMMAND'
    expect_in_out 'kyvadlo eval K 0.5'
 done
-for command in table eval bench study; do
+for command in table eval study; do
    run $command --help
    expect_status 0
    expect_in_out "Usage: kyvadlo $command"
    expect_in_out 'Examples:'
-   [ $command = bench ] || [ $command = study ] || expect_in_out '--kind single|double|quad'
+   [ $command = study ] || expect_in_out '--kind single|double|quad'
 done
 run --version
 expect_status 0
@@ -33,23 +33,9 @@ expect_in_out 'kyvadlo '
 expect_in_out 'Licence: MIT'
 fails 2 'takes no value' --version=3
 
-fails 2 "bench takes no operand, got '3'" bench 3
-run bench --functions --quick
-expect_status 0
-expect_match '^R_F .*[0-9]'
-expect_match '^sn cn dn .*[0-9]'
-run bench --scenes --quick
-expect_status 0
-expect_match '^places and velocities: scene .*[0-9]'
-run bench --motion --quick
-expect_status 0
-expect_match 'x86-64  *> 1/2  *place and velocity .*[0-9]'
-expect_match '^T alone .*[0-9]'
-expect_match '^separatrix  *1000 periods.*[0-9]'
-
-# The examples of the help run (those that measure, and the one that needs a file of requests, left out).
+# The examples of the help run (the one that measures, and the one that needs a file of requests, left out).
 run --help
-grep '^  kyvadlo ' out | grep -v -e bench -e study -e '<' >examples
+grep '^  kyvadlo ' out | grep -v -e study -e '<' >examples
 checks=$((checks + 1))
 [ "$(wc -l <examples)" -ge 6 ] || complain 'at least six examples expected'
 while read -r line; do

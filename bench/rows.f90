@@ -1,6 +1,7 @@
-!> The rows of `kyvadlo bench --functions`, what was measured once of other libraries, and how a row is printed.
+!> The rows of `kyvadlo-bench --functions`, and how a row is printed.
 module kyvadlo_bench_rows
    use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo_bench_rivals, only: quoted, quoted_sine, rival_type
    use kyvadlo_function_ids
    implicit none
    private
@@ -13,40 +14,31 @@ module kyvadlo_bench_rows
       integer :: parameter_at = 0          !! Which of them is the parameter m, for libraries that take k
       integer :: columns = 1               !! Values
       logical :: is_absolute = .false.     !! Values of order one with zeros: errors in epsilons, not ulps
-      real(real64) :: fukushima = 0        !! Quoted, ns; 0: no such function
-      real(real64) :: best = 0             !! Quoted, ns: the fastest of the others (not GSL, Boost, Fukushima)
-      character(len=14) :: best_name = ''
    end type row_type
 
-   !> The quoted times are medians over benign arguments on an Intel Xeon (model 207), gcc 12.2 and glibc 2.36, where a
-   !> scalar sine took this long: Fukushima's celbd, celbdj, elbdj2 and gscd from ellipFor c1ecd38, SciPy 1.17.1, SLATEC
-   !> by jacobwilliams/carlson-elliptic-integrals 5f25a59, GeographicLib 2.1.2 (set up for one parameter in the row so
-   !> named), Rust's ellip 1.2.3.
-   real(real64), parameter :: quoted_sine = 6.9_real64
-
    type(row_type), parameter :: rows(*) = [ &
-      row_type(id_rc, 'R_C', 'carlson', best=16.51_real64, best_name='GeographicLib'), &
-      row_type(id_rf, 'R_F', 'carlson', best=67.13_real64, best_name='GeographicLib'), &
-      row_type(id_rd, 'R_D', 'carlson', best=100.0_real64, best_name='GeographicLib'), &
-      row_type(id_rj, 'R_J', 'carlson', best=230.0_real64, best_name='SLATEC'), &
-      row_type(id_rg, 'R_G', 'carlson', best=178.0_real64, best_name='GeographicLib'), &
-      row_type(id_k, 'K(m)', 'm', 1, fukushima=11.09_real64, best=12.92_real64, best_name='SciPy'), &
-      row_type(id_kc, 'K(1-m)', 'm', 0, fukushima=10.74_real64, best=11.76_real64, best_name='SciPy'), &
-      row_type(id_e, 'E(m)', 'm', 1, fukushima=11.47_real64, best=12.18_real64, best_name='SciPy'), &
-      row_type(id_d, 'D(m)', 'm', 1, fukushima=11.43_real64, best=33.41_real64, best_name='Rust ellip'), &
-      row_type(id_b, 'B(m)', 'm', 1, fukushima=10.85_real64), &
+      row_type(id_rc, 'R_C', 'carlson'), &
+      row_type(id_rf, 'R_F', 'carlson'), &
+      row_type(id_rd, 'R_D', 'carlson'), &
+      row_type(id_rj, 'R_J', 'carlson'), &
+      row_type(id_rg, 'R_G', 'carlson'), &
+      row_type(id_k, 'K(m)', 'm', 1), &
+      row_type(id_kc, 'K(1-m)', 'm', 0), &
+      row_type(id_e, 'E(m)', 'm', 1), &
+      row_type(id_d, 'D(m)', 'm', 1), &
+      row_type(id_b, 'B(m)', 'm', 1), &
       row_type(id_nome, 'nome q(m)', 'm', 1), &
-      row_type(id_pi, 'Pi(n, m)', 'n m', 2, fukushima=86.22_real64, best=244.0_real64, best_name='Rust ellip'), &
-      row_type(id_f, 'F(phi, m)', 'phi m', 2, fukushima=118.0_real64, best=134.0_real64, best_name='Rust ellip'), &
-      row_type(id_einc, 'E(phi, m)', 'phi m', 2, fukushima=122.0_real64, best=268.0_real64, best_name='Rust ellip'), &
-      row_type(id_dinc, 'D(phi, m)', 'phi m', 2, fukushima=119.0_real64, best=201.0_real64, best_name='Rust ellip'), &
-      row_type(id_piinc, 'Pi(n, phi, m)', 'n phi m', 3, fukushima=123.0_real64, best=357.0_real64, best_name='SciPy'), &
-      row_type(id_zeta, 'Jacobi zeta', 'phi m', 2, 1, .true., best=231.0_real64, best_name='Rust ellip'), &
+      row_type(id_pi, 'Pi(n, m)', 'n m', 2), &
+      row_type(id_f, 'F(phi, m)', 'phi m', 2), &
+      row_type(id_einc, 'E(phi, m)', 'phi m', 2), &
+      row_type(id_dinc, 'D(phi, m)', 'phi m', 2), &
+      row_type(id_piinc, 'Pi(n, phi, m)', 'n phi m', 3), &
+      row_type(id_zeta, 'Jacobi zeta', 'phi m', 2, 1, .true.), &
       row_type(id_lambda, 'Heuman lambda', 'phi m', 2), &
-      row_type(id_jacobi, 'sn cn dn (u, m)', 'u m', 2, 3, .true., 60.77_real64, 255.0_real64, 'SciPy'), &
-      row_type(id_jacobi_am, 'sn cn dn am (u, m)', 'u m', 2, 3, .true., best=255.0_real64, best_name='SciPy'), &
-      row_type(id_jacobic, 'sn cn dn (u, 1-m)', 'u m', 0, 3, .true., 63.4_real64, 298.0_real64, 'GeographicLib'), &
-      row_type(id_set_up, 'sn cn dn, m set up', 'set-up', 2, 3, .true., 60.77_real64, 66.15_real64, 'GeographicLib'), &
+      row_type(id_jacobi, 'sn cn dn (u, m)', 'u m', 2, 3, .true.), &
+      row_type(id_jacobi_am, 'sn cn dn am (u, m)', 'u m', 2, 3, .true.), &
+      row_type(id_jacobic, 'sn cn dn (u, 1-m)', 'u m', 0, 3, .true.), &
+      row_type(id_set_up, 'sn cn dn, m set up', 'set-up', 2, 3, .true.), &
       row_type(id_theta, 'theta_3(v, q)', 'v q')]
 
 contains
@@ -82,6 +74,7 @@ contains
       character(len=8) :: errors(0:2)
       character(len=20) :: best
       character(len=11) :: fukushima
+      type(rival_type) :: rival
       real(real64) :: ours_in_sines
       integer :: i
 
@@ -95,11 +88,13 @@ contains
          if (error(i) >= 0) write (errors(i), '(f8.2)') min(error(i), 99999.0_real64)
       end do
       fukushima = '-'
-      if (rows(row)%fukushima > 0) write (fukushima, '(f11.2)') rows(row)%fukushima/quoted_sine/ours_in_sines
+      rival = quoted(rows(row)%name, 'Fukushima')
+      if (rival%ns > 0) write (fukushima, '(f11.2)') rival%ns/quoted_sine/ours_in_sines
       best = '-'
-      if (rows(row)%best > 0) then
-         write (best, '(f5.2)') rows(row)%best/quoted_sine/ours_in_sines
-         best = trim(best)//' '//rows(row)%best_name
+      rival = quoted(rows(row)%name)
+      if (rival%ns > 0) then
+         write (best, '(f5.2)') rival%ns/quoted_sine/ours_in_sines
+         best = trim(best)//' '//rival%library
       end if
       write (unit, '(a20,f8.1,f8.2,3a9,a11,2x,a20,3x,3a8,a)') rows(row)%name(:20), ours, ours_in_sines, &
          adjustr(ratio), adjustr(fukushima), best, adjustr(errors), merge(' *', '  ', rows(row)%is_absolute)

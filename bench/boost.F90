@@ -1,4 +1,4 @@
-!> Boost's side of `kyvadlo bench --functions`; where its headers were not found it has no function.
+!> Boost's side of `kyvadlo-bench --functions`; where its headers were not found it has no function.
 module kyvadlo_bench_boost
    use, intrinsic :: iso_fortran_env, only: real64
    use, intrinsic :: iso_c_binding, only: c_int, c_double
@@ -8,7 +8,7 @@ module kyvadlo_bench_boost
 
 #ifdef KYVADLO_WITH_BOOST
    interface
-      !> Calls one function of Boost for every row; 0 if it has none for this id, see bench_boost.cpp.
+      !> Calls one function of Boost for every row; 0 if it has none for this id, see boost.cpp.
       function kyvadlo_boost_values(id, promotes, rows, x, out) bind(c) result(has)
          import :: c_int, c_double
          integer(c_int), intent(in), value :: id, promotes, rows

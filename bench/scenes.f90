@@ -1,7 +1,6 @@
-!> `kyvadlo bench --scenes`: what a sample of a simulated scene costs beside the closed-form kernel alone.
+!> `kyvadlo-bench --scenes`: what a sample of a simulated scene costs beside the closed-form kernel alone.
 module kyvadlo_bench_scenes
    use, intrinsic :: iso_fortran_env, only: int64
-!$ use omp_lib, only: omp_get_max_threads, omp_set_num_threads
    use kyvadlo
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_sample_block, only: block_samples
@@ -10,7 +9,7 @@ module kyvadlo_bench_scenes
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: parse_simulation, simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type
-   use kyvadlo_stopwatch, only: median
+   use kyvadlo_stopwatch, only: median, nanoseconds_since
    use kyvadlo_text, only: counting_sink_type
    implicit none
    private
@@ -41,11 +40,8 @@ contains
       logical, intent(in) :: quick   !! Few passes: to see that it runs, not to measure
       real(wp), allocatable :: times(:, :)
       real(wp) :: t(last_row), checksum
-      integer :: row, pass, passes, threads
+      integer :: row, pass, passes
 
-      threads = 1
-!$    threads = omp_get_max_threads()
-!$    call omp_set_num_threads(1)
       passes = merge(3, 101, quick)
       allocate (times(passes, last_row))
       checksum = 0
@@ -54,16 +50,15 @@ contains
             call measure(row, times(max(pass, 1), row), checksum)
          end do
       end do
-!$    call omp_set_num_threads(threads)
       do row = 1, last_row
          t(row) = median(times(:, row))
       end do
       write (unit, '(a)') 'Simulated scenes: a wide swing at equidistant times, one thread; ns a sample.', ''
       write (unit, '(a,a10,a16)') repeat(' ', 48), 'ns', 'over kernel'
-      call print_row('places: kernel alone', kernel_places, kernel_places)
-      call print_row('places: scene', scene_places, kernel_places)
-      call print_row('places and velocities: kernel alone', kernel_rates, kernel_rates)
-      call print_row('places and velocities: scene', scene_rates, kernel_rates)
+      call print_row('positions: kernel alone', kernel_places, kernel_places)
+      call print_row('positions: scene', scene_places, kernel_places)
+      call print_row('positions and velocities: kernel alone', kernel_rates, kernel_rates)
+      call print_row('positions and velocities: scene', scene_rates, kernel_rates)
       call print_row('... with energy, tension and azimuth', scene_more, kernel_rates)
       call print_row('... of a slack string', string_rates, kernel_rates)
       call print_row('... as CSV, seven columns', lines_rates, kernel_rates)
@@ -122,8 +117,8 @@ contains
       call system_clock(start)
       do block = 1, int(samples/block_samples)
          if (with_rates) then
-            call locate_batch(orbit, values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), values(:, 6), &
-               values(:, 7))
+            call locate_batch(orbit, values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), &
+               values(:, 6), values(:, 7))
          else
             call locate_batch(orbit, values(:, 1), values(:, 2), values(:, 3), values(:, 4))
          end if
@@ -150,8 +145,8 @@ contains
 
       time = 0
       write (number, '(i0)') count
-      call parse_simulation(pendulum//'&output duration=5000, samples='//trim(number)//', quantities="'//quantities//'" /', &
-         'bench', simulation, error)
+      call parse_simulation(pendulum//'&output duration=5000, samples='//trim(number)//', quantities="'//quantities// &
+         '" /', 'bench', simulation, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error)
       if (allocated(error)) return
       call system_clock(start)
@@ -165,14 +160,6 @@ contains
       end if
       time = nanoseconds_since(start)/count
    end subroutine run_scene
-
-   real(wp) function nanoseconds_since(start)
-      integer(int64), intent(in) :: start
-      integer(int64) :: finish, rate
-
-      call system_clock(finish, rate)
-      nanoseconds_since = 1e9_wp*real(finish - start, wp)/rate
-   end function nanoseconds_since
 
    subroutine begin_none(sink, columns)
       class(no_samples_type), intent(inout) :: sink

@@ -1,4 +1,4 @@
-// Boost.Math for `kyvadlo bench --functions`; compiled only where Boost's headers were found. The ids are those of
+// Boost.Math for `kyvadlo-bench --functions`; compiled only where Boost's headers were found. The ids are those of
 // bench_rows.f90; `x` and `out` are columns of `n` numbers, with the modulus in the place of the parameter.
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>

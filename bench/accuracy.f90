@@ -1,7 +1,6 @@
-!> `kyvadlo bench --accuracy`: what an accuracy costs in time, and whether it is kept.
+!> `kyvadlo-bench --accuracy`: what an accuracy costs in time, and whether it is kept.
 module kyvadlo_bench_accuracy
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-!$ use omp_lib, only: omp_get_max_threads, omp_set_num_threads
    use kyvadlo
    use kyvadlo_batch_dispatch, only: vector_level
    use kyvadlo_stopwatch, only: median, nanoseconds_since
@@ -10,7 +9,8 @@ module kyvadlo_bench_accuracy
    public :: bench_accuracy
 
    !> What is asked for; the row before them is an orbit without an accuracy.
-   real(real64), parameter :: accuracies(6) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, 1e-20_real64]
+   real(real64), parameter :: accuracies(6) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, &
+      1e-20_real64]
    !> Points of a pass, and of one in real128 or where errors are measured: every so many.
    integer, parameter :: points = 10240, wide_points = 128, checked_every = 80
    real(real64), parameter :: periods = 100
@@ -30,22 +30,18 @@ contains
       integer, intent(in) :: unit    !! Where to print
       logical, intent(in) :: quick   !! Few passes: to see that it runs, not to measure
       type(case_type), allocatable :: work
-      integer :: threads, passes
+      integer :: passes
 
-      threads = 1
-!$    threads = omp_get_max_threads()
-!$    call omp_set_num_threads(1)
       passes = merge(3, 41, quick)
       allocate (work)
       write (unit, '(a,/,a,/)') &
-         'Places at 10240 times over 100 periods, one thread: nanoseconds a point, and how many times faster than an orbit', &
-         'without an accuracy. Errors are the worst of 128 distances from our real128, in l.'
+         'Positions at 10240 times over 100 periods, one thread: nanoseconds a point, and how many times faster than an', &
+         'orbit without an accuracy. Errors are the worst of 128 distances from our real128, in l.'
       call prepare(work, 1.3_real64, 0.1_real64)
       call print_places(unit, work, 'k**2 < 1/2', passes)
       call prepare(work, 0.8_real64, 0.1_real64)
       call print_places(unit, work, 'k**2 > 1/2', passes)
       call print_set_ups(unit, work, passes)
-!$    call omp_set_num_threads(threads)
       write (unit, '(a,es22.15)') 'Sum of all values computed: ', work%checksum
    end subroutine bench_accuracy
 
@@ -56,14 +52,14 @@ contains
       integer :: i
 
       call new_orbit_from_gaps(work%orbit, 1.0_real64, 9.81_real64, top, bottom, error)
-      call new_orbit_from_gaps(work%exact, 1.0_real128, real(9.81_real64, real128), real(top, real128), real(bottom, real128), &
-         error)
+      call new_orbit_from_gaps(work%exact, 1.0_real128, real(9.81_real64, real128), real(top, real128), &
+         real(bottom, real128), error)
       do i = 1, points
          work%time(i) = periods*height_period(work%orbit)*modulo(0.6180339887498949_real64*i, 1.0_real64)
       end do
       do i = 1, size(accuracies)
-         call new_orbit_to_accuracy(work%plans(i), start_gaps, 1.0_real64, 9.81_real64, [top], [bottom], accuracies(i), &
-            periods*height_period(work%orbit), error)
+         call new_orbit_to_accuracy(work%plans(i), start_gaps, 1.0_real64, 9.81_real64, [top], [bottom], &
+            accuracies(i), periods*height_period(work%orbit), error)
       end do
    end subroutine prepare
 
@@ -104,7 +100,7 @@ contains
 
       name = '      none  real64 vectors, all terms'
       if (row == 0) return
-      write (name, '(es10.0,2x,a)') accuracies(row), choice_text(work%plans(row))
+      write (name, '(es10.0,2x,a)') accuracies(row), trim(choice_text(work%plans(row)))
    end function row_name
 
    !> Nanoseconds a point. Real128 has no vectors and takes fewer points.
@@ -121,7 +117,8 @@ contains
          call locate_batch(work%orbit, work%time, work%out(:, 1), work%out(:, 2), work%out(:, 3), highest_level=level)
       else
          if (allocated(work%plans(row)%wide)) n = wide_points
-         call locate_batch(work%plans(row), work%time(:n), work%out(:n, 1), work%out(:n, 2), work%out(:n, 3), highest_level=level)
+         call locate_batch(work%plans(row), work%time(:n), work%out(:n, 1), work%out(:n, 2), work%out(:n, 3), &
+            highest_level=level)
       end if
       time = nanoseconds_since(start)/n
       work%checksum = work%checksum + work%out(1 + modulo(row*level, n), 1)

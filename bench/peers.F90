@@ -1,4 +1,4 @@
-!> What others need for the motion: quoted, and the closed form by GSL run live.
+!> The orbits on which others run too, and the closed form by GSL.
 module kyvadlo_bench_peers
    use, intrinsic :: iso_fortran_env, only: real64
 #ifdef KYVADLO_WITH_GSL
@@ -6,30 +6,22 @@ module kyvadlo_bench_peers
 #endif
    implicit none
    private
-   public :: peer_type, peers, quoted_sine, gsl_motion
+   public :: peer_type, peers, gsl_motion
 
-   !> Four orbits with l = g = 1. Quoted times are ns a point on an Intel Xeon (model 207), gcc 12.2, glibc 2.36, where a scalar
-   !> sine took `quoted_sine`; each at the cheapest setting that comes within 1e-12 in one period, or else at its best.
+   !> Orbits with l = g = 1; rivals.txt has their times.
    type :: peer_type
       character(len=10) :: name
-      real(real64) :: upper, lower                     !! z1, z2
-      real(real64) :: dense, dense_error               !! One period: Boost.Odeint 1.74, dense-output dopri5
-      character(len=11) :: closed_name
-      real(real64) :: closed, closed_error             !! 1000 periods: the best closed form
+      real(real64) :: upper, lower    !! z1, z2
    end type peer_type
 
-   real(real64), parameter :: quoted_sine = 6.9_real64
    type(peer_type), parameter :: peers(4) = [ &
-      peer_type('typical', 0.2_real64, -0.9_real64, 112.0_real64, 1.8e-13_real64, 'Fukushima', 559.0_real64, 1.0e-12_real64), &
-      peer_type('conical', -0.5_real64, -0.5001_real64, 90.0_real64, 1.3e-13_real64, 'Fukushima', 426.0_real64, 9.0e-13_real64), &
-      peer_type('plane', 0.3_real64, -0.9999999_real64, 117.0_real64, 3.1e-13_real64, 'Boost', 876.0_real64, 1.0e-12_real64), &
-      peer_type('separatrix', 0.999999_real64, -0.99999999_real64, 151.0_real64, 1.3e-11_real64, 'Boost', 904.0_real64, &
-         3.3e-7_real64)]
+      peer_type('typical', 0.2_real64, -0.9_real64), peer_type('conical', -0.5_real64, -0.5001_real64), &
+      peer_type('plane', 0.3_real64, -0.9999999_real64), peer_type('separatrix', 0.999999_real64, -0.99999999_real64)]
 
 contains
 
-   !> The motion from the lower turning point by GSL's sn, cn, dn and two integrals of the third kind a point, as a user of GSL
-   !> would write it; l = g = 1.
+   !> The motion from the lower turning point by GSL's sn, cn, dn and two integrals of the third kind a point, as a user
+   !> of GSL would write it; l = g = 1.
    subroutine gsl_motion(upper, lower, period, time, x, y, z, has)
       real(real64), intent(in) :: upper, lower, period, time(:)
       real(real64), intent(out), dimension(size(time)) :: x, y, z

@@ -1,4 +1,4 @@
-!> `kyvadlo bench --functions`: the elliptic functions timed beside GSL and Boost where they are linked in, and beside
+!> `kyvadlo-bench --functions`: the elliptic functions timed beside GSL and Boost where they are linked in, and beside
 !> what was measured once of other libraries, in units of a scalar sine of the C library.
 module kyvadlo_bench_functions
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
@@ -124,7 +124,7 @@ contains
       end if
    end subroutine their_values
 
-   !> The arguments with the modulus in the place of the parameter.
+   !> The arguments with the modulus in place of the parameter.
    pure function with_modulus(row, x) result(y)
       integer, intent(in) :: row
       real(real64), intent(in) :: x(:,:)

@@ -1,4 +1,4 @@
 !> The floor of the places, compiled as the batch kernel of the same level.
 module kyvadlo_bench_floor_v4
-#include "bench_floor.inc"
+#include "floor.inc"
 end module kyvadlo_bench_floor_v4

@@ -1,13 +1,15 @@
-!> `kyvadlo bench --motion`: places, velocities, periods and set-up timed in units of a scalar sine, beside the floor and others.
+!> `kyvadlo-bench --motion`: positions, velocities, periods and set-up timed in units of a scalar sine, beside the floor
+!> and others.
 module kyvadlo_bench_motion
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-!$ use omp_lib, only: omp_get_max_threads, omp_set_num_threads
+!$ use omp_lib, only: omp_get_max_threads
    use kyvadlo
    use kyvadlo_batch_dispatch, only: vector_level
    use kyvadlo_bench_floor_baseline, only: floor_baseline => floor_loop
    use kyvadlo_bench_floor_v3, only: floor_v3 => floor_loop
    use kyvadlo_bench_floor_v4, only: floor_v4 => floor_loop
-   use kyvadlo_bench_peers, only: peer_type, peers, quoted_sine, gsl_motion
+   use kyvadlo_bench_peers, only: peer_type, peers, gsl_motion
+   use kyvadlo_bench_rivals, only: quoted, quoted_sine, rival_type
    use kyvadlo_stopwatch, only: median, nanoseconds_since
    implicit none
    private
@@ -16,9 +18,10 @@ module kyvadlo_bench_motion
    !> Times in a batch (40 whole strips of the floor, 1e4 in round numbers) and single calls in a pass.
    integer, parameter :: points = 10240, calls = 400, many = 2**20
 
-   integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, dual_rates_row = 6, &
-      one_direct = 7, one_dual = 8, one_upright = 9, one_rates = 10, one_azimuth = 11, set_up_direct = 12, set_up_dual = 13, &
-      set_up_upright = 14, period_one = 15, period_upright = 16, period_many = 17, period_many_upright = 18, last_row = 18
+   integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, &
+      dual_rates_row = 6, one_direct = 7, one_dual = 8, one_upright = 9, one_rates = 10, one_azimuth = 11, &
+      set_up_direct = 12, set_up_dual = 13, set_up_upright = 14, period_one = 15, period_upright = 16, &
+      period_many = 17, period_many_upright = 18, last_row = 18
 
    type :: bench_type
       type(orbit_type) :: direct, dual, upright
@@ -29,8 +32,8 @@ module kyvadlo_bench_motion
 
 contains
 
-   !> Measures and prints the tables. Every figure is a median over passes; all rows are measured in turn, pass by pass, on one
-   !> thread but for the last table.
+   !> Measures and prints the tables. Every figure is a median over passes; all rows are measured in turn, pass by pass,
+   !> on one thread but for the last table.
    subroutine bench_motion(unit, quick)
       integer, intent(in) :: unit    !! Where to print
       logical, intent(in) :: quick   !! Few passes: to see that it runs, not to measure
@@ -41,7 +44,6 @@ contains
 
       threads = 1
 !$    threads = omp_get_max_threads()
-!$    call omp_set_num_threads(1)
       passes = merge(3, 41, quick)
       allocate (bench, times(passes, last_row))
       call prepare(bench)
@@ -59,7 +61,6 @@ contains
       call print_single(unit, t)
       call compare_with_peers(unit, bench, passes)
       call print_threads(unit, threads, passes)
-!$    call omp_set_num_threads(threads)
       write (unit, '(a,es22.15)') 'Sum of all values computed: ', bench%checksum
    end subroutine bench_motion
 
@@ -158,7 +159,8 @@ contains
             case (set_up_dual)
                call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + 1e-6_real64*i, error)
             case default
-               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-22_real64*i, error)
+               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-22_real64*i, &
+                  error)
             end select
             total = total + height_period(orbit)
          end do
@@ -175,7 +177,8 @@ contains
          call periods_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, bench%out(:, 1), level)
       case default
          count = points
-         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, bench%out(:, 1), level)
+         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, bench%out(:, 1), &
+            level)
       end select
       time = nanoseconds_since(start)/count
       bench%checksum = bench%checksum + total + bench%out(1 + modulo(row, 7), 1)
@@ -204,19 +207,25 @@ contains
       character(len=9), parameter :: names(0:2) = [character(len=9) :: 'x86-64', 'x86-64-v3', 'x86-64-v4']
 
       if (level == 0) write (unit, '(a)') &
-         'Places at 10240 times of one orbit, double precision, one thread. S is one scalar sine, measured beside; the', &
-         'floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', '', &
-         'kernel      k**2    what                       ns       S   floors'
-      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '          floor             ', t(floor_row), &
-         t(floor_row)/t(sine_row), 1.0
-      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  < 1/2   place             ', t(direct_row), &
-         t(direct_row)/t(sine_row), t(direct_row)/t(floor_row)
-      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  > 1/2   place             ', t(dual_row), &
-         t(dual_row)/t(sine_row), t(dual_row)/t(floor_row)
-      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  < 1/2   place and velocity', t(direct_rates_row), &
-         t(direct_rates_row)/t(sine_row), t(direct_rates_row)/t(floor_row)
-      write (unit, '(a10,a28,9x,2f8.2,f9.2)') names(level), '  > 1/2   place and velocity', t(dual_rates_row), &
-         t(dual_rates_row)/t(sine_row), t(dual_rates_row)/t(floor_row)
+         'Positions at 10240 times of one orbit, double precision, one thread. S is a scalar sine, measured beside; the', &
+         'floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', &
+         '', 'kernel      k**2    what                             ns       S   floors'
+      call print_row('        floor', floor_row)
+      call print_row('< 1/2   position', direct_row)
+      call print_row('> 1/2   position', dual_row)
+      call print_row('< 1/2   position and velocity', direct_rates_row)
+      call print_row('> 1/2   position and velocity', dual_rates_row)
+
+   contains
+
+      subroutine print_row(what, row)
+         character(len=*), intent(in) :: what
+         integer, intent(in) :: row
+         character(len=35) :: padded
+
+         padded = what
+         write (unit, '(a10,2x,a,2f8.2,f9.2)') names(level), padded, t(row), t(row)/t(sine_row), t(row)/t(floor_row)
+      end subroutine print_row
    end subroutine print_places
 
    subroutine print_single(unit, t)
@@ -224,7 +233,8 @@ contains
       real(real64), intent(in) :: t(:)
       integer :: row
       character(len=44), parameter :: names(one_direct:last_row) = [character(len=44) :: &
-         'one place, k**2 < 1/2', 'one place, k**2 > 1/2', 'one place, k''**2 = 1e-16', 'one place and velocity', 'one azimuth', &
+         'one position, k**2 < 1/2', 'one position, k**2 > 1/2', 'one position, k''**2 = 1e-16', &
+         'one position and velocity', 'one azimuth', &
          'set-up, two-part constants, k**2 < 1/2', 'set-up, two-part constants, k**2 > 1/2', 'set-up, k''**2 = 1e-16', &
          'T alone', 'T alone, k''**2 = 1e-20', 'T of many orbits, each', 'T of many orbits, each, k''**2 = 1e-20']
 
@@ -241,8 +251,9 @@ contains
       type(bench_type), intent(inout) :: bench
       integer, parameter :: scenario_points(2) = [10000, 1000]
       real(real64), dimension(10000) :: time, x, y, z
-      real(real64) :: ours(passes), gsl(passes), sine(passes), error, gsl_error, period, quoted, quoted_error
+      real(real64) :: ours(passes), gsl(passes), sine(passes), error, gsl_error, period
       type(orbit_type) :: orbit
+      type(rival_type) :: rival
       type(error_type), allocatable :: failure
       integer(int64) :: start
       integer :: i, k, n, pass, scenario
@@ -250,9 +261,9 @@ contains
 
       has = .false.
       write (unit, '(/,a,/,a,/,a,/)') &
-         'Against others, set-up included; times of others over ours. GSL (sn, cn, dn and two integrals of the third kind a', &
-         'point) runs here; dopri5 (Boost.Odeint, dense output) and the best closed form are quoted in S from another machine.', &
-         'Errors are the worst distance from our real128 (GSL: of its own turning heights as printed).'
+         'Against others, set-up included; times of others over ours. GSL (sn, cn, dn and two integrals of the third kind', &
+         'a point) runs here; dopri5 (Boost.Odeint, dense output) and the best closed form are quoted in S from another', &
+         'machine. Errors are the worst distance from our real128 (GSL: of its own turning heights as printed).'
       write (unit, '(a10,2x,a24,2a8,2a10,2x,a22,a10)') 'orbit', 'motion                  ', 'ns', 'S', 'error', 'GSL', &
          '      quoted          ', 'its error'
       do k = 1, size(peers)
@@ -283,18 +294,18 @@ contains
             end do
             gsl_error = -1
             if (has) gsl_error = worst_error(0.5_real64)
-            quoted = merge(peers(k)%dense, peers(k)%closed, scenario == 1)/quoted_sine
-            quoted_error = merge(peers(k)%dense_error, peers(k)%closed_error, scenario == 1)
+            rival = quoted(trim(peers(k)%name)//merge(', one period  ', ', 1000 periods', scenario == 1))
+            if (rival%ns <= 0) rival = quoted(trim(peers(k)%name)//', 1000 periods', 'Fukushima')
             write (unit, '(a10,2x,a24,f8.2,f8.3,es10.1,a22,f7.1,1x,a11,es10.1)') peers(k)%name, &
                merge('one period, 10000 points', '1000 periods, 1000      ', scenario == 1), median(ours), &
                median(ours)/median(sine), error, gsl_text(median(gsl(:min(passes, 5)))/median(ours), gsl_error), &
-               quoted/(median(ours)/median(sine)), merge('dopri5     ', peers(k)%closed_name, scenario == 1), quoted_error
+               rival%ns/quoted_sine/(median(ours)/median(sine)), rival%library, rival%error
          end do
       end do
 
    contains
 
-      !> Greatest distance of every 10th place from the real128 motion; GSL's start half a period later.
+      !> Greatest distance of every 10th position from the real128 motion; GSL's start half a period later.
       real(real64) function worst_error(later)
          real(real64), intent(in) :: later
          type(orbit_type_real128) :: exact
@@ -340,17 +351,15 @@ contains
       end do
       call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64, error)
       do pass = 1, passes
-!$       call omp_set_num_threads(1)
          call system_clock(start)
          call locate_batch(orbit, time, x, y, z)
          one(pass) = nanoseconds_since(start)/many
-!$       call omp_set_num_threads(threads)
          call system_clock(start)
-         call locate_batch(orbit, time, x, y, z)
+         call locate_batch(orbit, time, x, y, z, threads=0)
          all(pass) = nanoseconds_since(start)/many
       end do
-      write (unit, '(/,a,i0,a,i0,a,f6.2,a,f6.2,a)') 'Places at ', many, ' times on ', threads, ' threads, fastest passes: ', &
-         minval(all), ' ns a point; on one: ', minval(one)/minval(all), ' times that'
+      write (unit, '(/,a,i0,a,i0,a,f6.2,a,f6.2,a)') 'Positions at ', many, ' times on ', threads, &
+         ' threads, fastest passes: ', minval(all), ' ns a point; on one: ', minval(one)/minval(all), ' times that'
    end subroutine print_threads
 
 end module kyvadlo_bench_motion
