@@ -12,6 +12,7 @@ module kyvadlo
    use kyvadlo_jacobi_ratios
    use kyvadlo_zeta
    use kyvadlo_heuman
+   use kyvadlo_bulirsch
    use kyvadlo_theta
    use kyvadlo_cubic
    use kyvadlo_motion_kinds

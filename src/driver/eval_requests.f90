@@ -48,6 +48,10 @@ module kyvadlo_eval_requests
       request_type('Bincc', 'phi mc', 'B', incomplete_domain), &
       request_type('Piinc', 'n phi m', 'Pi', incomplete_domain), &
       request_type('Piincc', 'n phi mc', 'Pi', incomplete_domain), &
+      request_type('cel', 'kc p a b', 'cel', ''), &
+      request_type('el1', 'x kc', 'el1', ''), &
+      request_type('el2', 'x kc a b', 'el2', ''), &
+      request_type('el3', 'x kc p', 'el3', ''), &
       request_type('nome', 'm', 'q', 'm <= 1'), &
       request_type('nomec', 'mc', 'q', 'mc >= 0'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &

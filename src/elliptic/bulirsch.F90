@@ -1,17 +1,35 @@
-!> Bulirsch's general complete elliptic integral in two kinds, a tool of the third kind, of zeta and of lambda.
+!> Bulirsch's integrals cel, el1, el2, el3 in three kinds; real32 is computed in real64.
+module kyvadlo_bulirsch_real32
+   use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
+   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_incomplete_pi_real64, only: first_turn
+#include "bulirsch.inc"
+end module kyvadlo_bulirsch_real32
+
 module kyvadlo_bulirsch_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
+   use kyvadlo_numbers_real64, only: quiet_nan, infinity
+   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_incomplete_pi_real64, only: first_turn
 #include "bulirsch.inc"
 end module kyvadlo_bulirsch_real64
 
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_bulirsch_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
+   use kyvadlo_numbers_real128, only: quiet_nan, infinity
+   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_incomplete_pi_real128, only: first_turn
 #include "bulirsch.inc"
 end module kyvadlo_bulirsch_real128
 #endif
 
 module kyvadlo_bulirsch
+   use kyvadlo_bulirsch_real32
    use kyvadlo_bulirsch_real64
 #ifndef KYVADLO_NO_REAL128
    use kyvadlo_bulirsch_real128

@@ -2,14 +2,14 @@
 module kyvadlo_complete_pi_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real32
 
 module kyvadlo_complete_pi_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real64
 
@@ -17,7 +17,7 @@ end module kyvadlo_complete_pi_real64
 module kyvadlo_complete_pi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "complete_pi.inc"
 end module kyvadlo_complete_pi_real128
 #endif

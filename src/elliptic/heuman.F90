@@ -3,7 +3,7 @@ module kyvadlo_heuman_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "heuman.inc"
 end module kyvadlo_heuman_real32
 
@@ -11,7 +11,7 @@ module kyvadlo_heuman_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "heuman.inc"
 end module kyvadlo_heuman_real64
 
@@ -20,7 +20,7 @@ module kyvadlo_heuman_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan
    use kyvadlo_amplitude, only: reduce_amplitude
-   use kyvadlo_bulirsch, only: general_complete
+   use kyvadlo_cel_positive, only: general_complete
 #include "heuman.inc"
 end module kyvadlo_heuman_real128
 #endif

@@ -29,10 +29,10 @@ end module kyvadlo_incomplete_pi_real128
 #endif
 
 module kyvadlo_incomplete_pi
-   use kyvadlo_incomplete_pi_real32
-   use kyvadlo_incomplete_pi_real64
+   use kyvadlo_incomplete_pi_real32, only: elliptic_piinc, elliptic_piincc
+   use kyvadlo_incomplete_pi_real64, only: elliptic_piinc, elliptic_piincc
 #ifndef KYVADLO_NO_REAL128
-   use kyvadlo_incomplete_pi_real128
+   use kyvadlo_incomplete_pi_real128, only: elliptic_piinc, elliptic_piincc
 #endif
    implicit none
    public

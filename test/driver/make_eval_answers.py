@@ -29,6 +29,12 @@ row('rf 1 2 3', elliprf(1, 2, 3))
 row('rd 1 2 3', elliprd(1, 2, 3))
 row('rj 1 2 3 4', elliprj(1, 2, 3, 4))
 row('rg 1 2 3', elliprg(1, 2, 3))
+r = mpf(1)/4
+el1 = elliprf(r, r + q4, r + 1)
+row('cel 0.5 2 1 3', elliprf(0, q4, 1) + elliprj(0, q4, 1, 2)/3)
+row('el1 2 0.5', el1)
+row('el2 2 0.5 1 3', el1 + 2*elliprd(r, r + q4, r + 1)/3)
+row('el3 2 0.5 3', el1 - 2*elliprj(r, r + q4, r + 1, r + 3)/3)
 for c, m in (('', q4), ('c', 1 - q4)):
     row('K%s 0.25' % c, ellipk(m))
     row('E%s 0.25' % c, ellipe(m))
