@@ -3,19 +3,23 @@ program kyvadlo_bench
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use kyvadlo_bench_accuracy, only: bench_accuracy
    use kyvadlo_bench_functions, only: bench_functions
+   use kyvadlo_bench_interfaces, only: bench_interfaces
    use kyvadlo_bench_motion, only: bench_motion
    use kyvadlo_bench_scenes, only: bench_scenes
    implicit none
 
-   character(len=*), parameter :: tables(4) = [character(len=11) :: '--functions', '--motion', '--accuracy', '--scenes']
+   character(len=*), parameter :: tables(5) = [character(len=12) :: &
+      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes']
    character(len=*), parameter :: help(*) = [character(len=88) :: &
-      'Usage: kyvadlo-bench [--functions] [--motion] [--accuracy] [--scenes] [--quick]', &
+      'Usage: kyvadlo-bench [--functions] [--interfaces] [--motion] [--accuracy] [--scenes]', &
+      '                     [--quick]', &
       '', &
-      '  --functions  the elliptic functions', &
-      '  --motion     positions, velocities, periods and set-up', &
-      '  --accuracy   positions to a stated accuracy', &
-      '  --scenes     samples of simulated scenes', &
-      '  --quick      a tenth of the passes: to see that it runs, not to measure', &
+      '  --functions   the elliptic functions', &
+      '  --interfaces  a call from Fortran, from C and from Fortran 77', &
+      '  --motion      positions, velocities, periods and set-up', &
+      '  --accuracy    positions to a stated accuracy', &
+      '  --scenes      samples of simulated scenes', &
+      '  --quick       a tenth of the passes: to see that it runs, not to measure', &
       '', &
       'Without a table named, all. Medians of several passes, all columns of a row measured in', &
       'turn, in units of a scalar sine measured beside. GSL and Boost run beside ours where', &
@@ -45,7 +49,8 @@ program kyvadlo_bench
    end do
    if (.not. any(wanted)) wanted = .true.
    if (wanted(1)) call bench_functions(output_unit, quick)
-   if (wanted(2)) call bench_motion(output_unit, quick)
-   if (wanted(3)) call bench_accuracy(output_unit, quick)
-   if (wanted(4)) call bench_scenes(output_unit, quick)
+   if (wanted(2)) call bench_interfaces(output_unit, quick)
+   if (wanted(3)) call bench_motion(output_unit, quick)
+   if (wanted(4)) call bench_accuracy(output_unit, quick)
+   if (wanted(5)) call bench_scenes(output_unit, quick)
 end program kyvadlo_bench

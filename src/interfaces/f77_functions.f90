@@ -7,6 +7,7 @@ module kyvadlo_f77_functions
    use kyvadlo
    implicit none
    private
+   public :: kyvcel, kyvel1, kyvel2, kyvel3
    public :: kyvelk, kyvele, kyveld, kyvelb, kyvelp, kyveck, kyvece, kyvecd, kyvecb, kyvecp, kyvelf, kyvine
    public :: kyvind, kyvinb, kyvinp, kyvicf, kyvice, kyvicd, kyvicb, kyvicp, kyvrc, kyvrf, kyvrd, kyvrg
    public :: kyvrj, kyvzet, kyvzec, kyvheu, kyvhec, kyvnom, kyvnoc, kyvthe, kyvthd, kyvscd, kyvscc, kyvam
@@ -337,6 +338,46 @@ contains
       y = elliptic_nomec(mc)
       ier = code_of(y)
    end subroutine kyvnoc
+
+   !> CALL KYVCEL(CK, P, A, B, Y, IER): Bulirsch's cel(kc, p, a, b), kc the complementary modulus.
+   pure subroutine kyvcel(kc, p, a, b, y, ier) bind(c, name='kyvcel_')
+      real(c_double), intent(in) :: kc, p, a, b
+      real(c_double), intent(out) :: y
+      integer(c_int), intent(out) :: ier
+
+      y = bulirsch_cel(kc, p, a, b)
+      ier = code_of(y)
+   end subroutine kyvcel
+
+   !> CALL KYVEL1(X, CK, Y, IER): Bulirsch's el1(x, kc), x the tangent of the amplitude.
+   pure subroutine kyvel1(x, kc, y, ier) bind(c, name='kyvel1_')
+      real(c_double), intent(in) :: x, kc
+      real(c_double), intent(out) :: y
+      integer(c_int), intent(out) :: ier
+
+      y = bulirsch_el1(x, kc)
+      ier = code_of(y)
+   end subroutine kyvel1
+
+   !> CALL KYVEL2(X, CK, A, B, Y, IER): Bulirsch's el2(x, kc, a, b).
+   pure subroutine kyvel2(x, kc, a, b, y, ier) bind(c, name='kyvel2_')
+      real(c_double), intent(in) :: x, kc, a, b
+      real(c_double), intent(out) :: y
+      integer(c_int), intent(out) :: ier
+
+      y = bulirsch_el2(x, kc, a, b)
+      ier = code_of(y)
+   end subroutine kyvel2
+
+   !> CALL KYVEL3(X, CK, P, Y, IER): Bulirsch's el3(x, kc, p).
+   pure subroutine kyvel3(x, kc, p, y, ier) bind(c, name='kyvel3_')
+      real(c_double), intent(in) :: x, kc, p
+      real(c_double), intent(out) :: y
+      integer(c_int), intent(out) :: ier
+
+      y = bulirsch_el3(x, kc, p)
+      ier = code_of(y)
+   end subroutine kyvel3
 
    !> CALL KYVTHE(I, V, Q, Y, IER): theta_i(v, q), i = 1 ... 4.
    pure subroutine kyvthe(i, v, q, y, ier) bind(c, name='kyvthe_')
