@@ -4,9 +4,9 @@ module kyvadlo_eval_command
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_eval, only: answer_request
    use kyvadlo_eval_requests, only: requests
-   use kyvadlo_standard_io, only: close_output, input_type, message, open_output, output_type, read_line
+   use kyvadlo_standard_io, only: close_output, input_type, longest_line, message, open_output, output_type, read_line
    use kyvadlo_status, only: error_type
-   use kyvadlo_text, only: join
+   use kyvadlo_text, only: integer_text, join
    implicit none
    private
    public :: eval_command
@@ -22,7 +22,7 @@ contains
       type(input_type) :: input
       character(len=:), allocatable :: line, answer, kind_word
       type(error_type), allocatable :: input_error
-      logical :: failed, ended
+      logical :: failed, ended, is_cut
 
       status = 0
       kind_word = option_value(arguments, '--kind', 'double')
@@ -39,9 +39,14 @@ contains
          end if
       else
          do
-            call read_line(input, output, line, ended, input_error)
+            call read_line(input, output, line, ended, is_cut, input_error)
             if (ended) exit
-            call answer_in_kind(kind_word, line, answer, failed)
+            if (is_cut) then
+               failed = .true.
+               answer = 'a request has at most '//integer_text(longest_line)//' bytes'
+            else
+               call answer_in_kind(kind_word, line, answer, failed)
+            end if
             if (failed) then
                answer = 'error: '//answer
                status = 1

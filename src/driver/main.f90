@@ -4,7 +4,7 @@ program kyvadlo_main
    use kyvadlo_eval_command, only: eval_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
    use kyvadlo_simulate_command, only: simulate_command
-   use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, set_signals
+   use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, prepare_program
    use kyvadlo_status, only: error_type
    use kyvadlo_study_command, only: study_command
    use kyvadlo_table_command, only: table_command
@@ -26,8 +26,8 @@ contains
       type(output_type) :: output
 
       status = 0
-      call set_signals()
-      call read_command_line(arguments, error)
+      call prepare_program(error)
+      if (.not. allocated(error)) call read_command_line(arguments, error)
       if (.not. allocated(error)) then
          if (option_given(arguments, '--help') .or. arguments%command == '' .and. size(arguments%names) > 0) then
             call open_output(output, '', error)

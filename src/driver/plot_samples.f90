@@ -4,15 +4,17 @@ module kyvadlo_plot_samples
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text
-   use kyvadlo_quoting, only: gnuplot_text, shell_word
+   use kyvadlo_gnuplot, only: draw_picture, folder_of
+   use kyvadlo_quoting, only: gnuplot_text, is_printable
+   use kyvadlo_run_files, only: add_output, run_files_type
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
-   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type, unfinished_name
+   use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
    use kyvadlo_status, only: code_file, code_input, error_type, fail
    use kyvadlo_text, only: shown
    implicit none
    private
-   public :: plot_samples_type, new_plot, finish_plot, discard_plot
+   public :: plot_samples_type, check_plot, new_plot, finish_plot, discard_plot
 
    !> Takes the samples that are drawn. It must be a target, and not be copied, between `new_plot` and its end.
    type, extends(sample_sink_type) :: plot_samples_type
@@ -31,37 +33,54 @@ module kyvadlo_plot_samples
       procedure :: note => note_plot
    end type plot_samples_type
 
+   !> How the files beside a picture begin: only what begins so is ever replaced.
+   character(len=*), parameter :: mark = '# Written by kyvadlo simulate'
    !> So many samples are drawn at most: the points of a large screen, some times over.
    integer(int64), parameter :: most_drawn = 10000
 
 contains
 
-   !> Opens the data of a picture. Errors: an ending other than .svg and .png; a folder that cannot be written.
-   subroutine new_plot(plot, picture, title, samples, error)
-      type(plot_samples_type), intent(inout), target :: plot
+   !> Notes the files of a picture. Errors: an ending other than .svg and .png; a name that cannot be shown.
+   subroutine check_plot(picture, title, files, error)
       character(len=*), intent(in) :: picture                !! Path ending in .svg or .png
       character(len=*), intent(in) :: title
-      integer(int64), intent(in) :: samples                  !! That will come
+      type(run_files_type), intent(inout) :: files
       type(error_type), allocatable, intent(out) :: error
-      integer :: length
+      integer :: stem
 
-      length = len(picture)
-      if (length > 4) then
-         plot%stem = picture(:length - 4)
-         if (picture(length - 3:) /= '.svg' .and. picture(length - 3:) /= '.png') length = 0
-      else
-         length = 0
+      stem = len(picture) - 4
+      if (stem > 0) then
+         if (picture(stem + 1:) /= '.svg' .and. picture(stem + 1:) /= '.png') stem = 0
       end if
-      if (length == 0) then
+      if (stem <= 0) then
          call fail(error, code_input, "option --plot needs the name of a file that ends in .svg or .png, got '" &
             //shown(picture)//"'")
-         return
+      else if (.not. is_printable(picture)) then
+         call fail(error, code_input, "option --plot needs a name of UTF-8 without control characters, got '"//picture//"'")
+      else if (.not. is_printable(title)) then
+         call fail(error, code_input, "option --plot: the pendulum's name must be UTF-8 without control characters, got '" &
+            //title//"'")
+      else
+         call add_output(files, 'option --plot', picture)
+         call add_output(files, 'the script of option --plot', picture(:stem)//'.gp', mark)
+         call add_output(files, 'the data of option --plot', picture(:stem)//'.dat', mark)
       end if
+   end subroutine check_plot
+
+   !> Opens the data of a picture that `check_plot` accepted.
+   subroutine new_plot(plot, picture, title, samples, error)
+      type(plot_samples_type), intent(inout), target :: plot
+      character(len=*), intent(in) :: picture, title
+      integer(int64), intent(in) :: samples                  !! That will come
+      type(error_type), allocatable, intent(out) :: error
+
+      plot%stem = picture(:len(picture) - 4)
       plot%picture = picture
       plot%title = title
       plot%stride = max(1_int64, (samples + most_drawn - 2)/(most_drawn - 1))
       call open_output(plot%data, plot%stem//'.dat', error)
       if (allocated(error)) return
+      call plot%data%put(mark//': the samples that are drawn')
       plot%lines = new_csv_samples(plot%data)
    end subroutine new_plot
 
@@ -104,13 +123,12 @@ contains
       sink%largest(2:) = max(sink%largest(2:), event%position)
    end subroutine note_plot
 
-   !> Gives data and script their names and draws. Without gnuplot a line on standard error says so.
+   !> Gives data and script their names and draws. Error: there is no gnuplot, or it could not draw.
    subroutine finish_plot(plot, error)
       type(plot_samples_type), intent(inout) :: plot
       type(error_type), allocatable, intent(out) :: error
-      type(output_type) :: script, picture
-      character(len=:), allocatable :: unfinished, command
-      integer :: status, command_status
+      type(output_type) :: script
+      logical :: has_gnuplot
 
       call close_output(plot%data, error)
       if (.not. allocated(error)) call open_output(script, plot%stem//'.gp', error)
@@ -118,25 +136,9 @@ contains
       call write_script(plot, script)
       call close_output(script, error)
       if (allocated(error)) return
-      call execute_command_line('command -v gnuplot >/dev/null 2>&1', exitstat=status, cmdstat=command_status)
-      if (status /= 0 .or. command_status /= 0) then
-         call message('kyvadlo: no picture, as there is no gnuplot; '//plot%stem//'.gp draws it where there is one')
-         return
-      end if
-      call open_output(picture, plot%picture, error)
-      if (allocated(error)) return
-      unfinished = unfinished_name(picture)
-      if (unfinished == '') unfinished = plot%picture   ! a device
-      ! Titles are UTF-8, of which gnuplot would complain in the locale C.
-      command = 'LC_ALL=C.UTF-8 gnuplot -e '//shell_word('folder='//gnuplot_text(folder_of(plot%stem))//';picture='// &
-         gnuplot_text(unfinished))//' '//shell_word(plot%stem//'.gp')
-      call execute_command_line(command, exitstat=status, cmdstat=command_status)
-      if (status /= 0 .or. command_status /= 0) then
-         call discard_output(picture)
-         call fail(error, code_file, 'gnuplot could not draw '//plot%picture//' from '//plot%stem//'.gp')
-      else
-         call close_output(picture, error)
-      end if
+      call draw_picture(plot%stem//'.gp', plot%picture, has_gnuplot, error)
+      if (.not. has_gnuplot) call fail(error, code_file, 'no picture, as there is no gnuplot; '//plot%stem// &
+         '.gp draws it where there is one')
    end subroutine finish_plot
 
    subroutine discard_plot(plot)
@@ -152,11 +154,9 @@ contains
       character(len=:), allocatable :: name, data
       real(wp) :: least(4), largest(4), whole, still
 
-      name = plot%picture(len(folder_of(plot%picture)) + 1:)
-      data = plot%stem(len(folder_of(plot%stem)) + 1:)//'.dat'
-      call script%put('# Written by kyvadlo simulate. In this folder: gnuplot '//data(:len(data) - 4)//'.gp')
-      call script%put('if (!exists("folder")) folder = ''''')
-      call script%put('if (!exists("picture")) picture = '//gnuplot_text(name))
+      name = plot%picture(folder_of(plot%picture) + 1:)
+      data = plot%stem(folder_of(plot%stem) + 1:)//'.dat'
+      call script%put(mark//'. In this folder: gnuplot '//data(:len(data) - 4)//'.gp')
       if (name(len(name) - 3:) == '.svg') then
          call script%put('set terminal svg size 1000,800 font "sans,12" background "white"')
       else
@@ -165,9 +165,10 @@ contains
       end if
       call script%put('set encoding utf8')
       call script%put('set termoption noenhanced')
-      call script%put('set output picture')
+      ! kyvadlo itself takes the picture from standard output.
+      call script%put('if (!exists("page")) set output '//gnuplot_text('./'//name))
       call script%put('set datafile separator ","')
-      call script%put('data = folder.'//gnuplot_text(data))
+      call script%put('data = '//gnuplot_text('./'//data))
       ! A square from above, the height in its own scale, with margins; something around what does not move.
       least = plot%least
       largest = plot%largest
@@ -185,18 +186,18 @@ contains
       call script%put('set origin 0, 0.45; set size 0.5, 0.5; set size ratio -1')
       call script%put('set xlabel "x [m]"; set ylabel "y [m]"')
       call script%put('set xrange '//interval(2)//'; set yrange '//interval(3))
-      call script%put('plot data using 2:3 skip 1 with lines')
+      call script%put('plot data using 2:3 skip 2 with lines')
       call script%put('# height')
       call script%put('set origin 0.5, 0.45; set size noratio; set size 0.5, 0.5')
       call script%put('set xlabel "t [s]"; set ylabel "z [m]"')
       call script%put('set xrange '//interval(1)//'; set yrange '//interval(4))
-      call script%put('plot data using 1:4 skip 1 with lines')
+      call script%put('plot data using 1:4 skip 2 with lines')
       call script%put('# in space')
       call script%put('set origin 0.1, -0.03; set size 0.8, 0.55')
       call script%put('set xlabel "x [m]"; set ylabel "y [m]"; set zlabel "z [m]"')
       call script%put('set xrange '//interval(2)//'; set yrange '//interval(3)//'; set zrange '//interval(4))
       call script%put('set view 65, 30, 1.1; set xyplane relative 0; set xtics offset 0, -0.5')
-      call script%put('splot data using 2:3:4 skip 1 with lines')
+      call script%put('splot data using 2:3:4 skip 2 with lines')
       call script%put('unset multiplot')
 
    contains
@@ -219,13 +220,5 @@ contains
       least = centre - 0.55_wp*extent
       largest = centre + 0.55_wp*extent
    end subroutine widen
-
-   !> The folder of a path, with its slash; empty if there is none.
-   pure function folder_of(path) result(folder)
-      character(len=*), intent(in) :: path
-      character(len=:), allocatable :: folder
-
-      folder = path(:index(path, '/', back=.true.))
-   end function folder_of
 
 end module kyvadlo_plot_samples

@@ -7,14 +7,17 @@ module kyvadlo_simulate_command
    use kyvadlo_netcdf_samples, only: discard_netcdf, finish_netcdf, netcdf_samples_type, new_netcdf
 #endif
    use kyvadlo_number_text, only: digits_text, read_number
-   use kyvadlo_plot_samples, only: discard_plot, finish_plot, new_plot, plot_samples_type
+   use kyvadlo_plot_samples, only: check_plot, discard_plot, finish_plot, new_plot, plot_samples_type
    use kyvadlo_quantities, only: quantities, quantity_position
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_samples, only: sample_sink_type
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: read_simulation, simulation_type
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
-   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, unfinished_name, output_type
+   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_scene_effects, only: get_table_path
+   use kyvadlo_standard_io, only: close_output, discard_output, get_unfinished_name, is_on_terminal, is_terminal, message, &
+      open_output, output_type
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_text, only: shown
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
@@ -30,6 +33,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(simulation_type) :: simulation
       type(path_type) :: path
+      type(run_files_type) :: files
       real(wp), allocatable :: accuracy
 
       if (size(arguments%operands) /= 1) then
@@ -37,7 +41,9 @@ contains
          return
       end if
       call check_options(arguments, accuracy, error)
+      if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
+      if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy)
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
@@ -86,6 +92,36 @@ contains
       if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
    end subroutine check_options
+
+   !> Whether the files of the run, read and written, go together.
+   subroutine check_all_files(arguments, simulation, files, error)
+      type(arguments_type), intent(in) :: arguments
+      type(simulation_type), intent(in) :: simulation
+      type(run_files_type), intent(inout) :: files
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: table
+
+      call get_table_path(simulation, table)
+      if (allocated(table)) call add_input(files, 'the table of the scene', table)
+      if (option_given(arguments, '--output')) then
+         call add_output(files, 'option --output', option_value(arguments, '--output', ''))
+      else
+         call add_output(files, 'standard output', '-')
+      end if
+      if (option_given(arguments, '--events')) &
+         call add_output(files, 'option --events', option_value(arguments, '--events', ''))
+      if (option_given(arguments, '--plot')) &
+         call check_plot(option_value(arguments, '--plot', ''), simulation%pendulum%name, files, error)
+      if (.not. allocated(error)) call check_files(files, error)
+   end subroutine check_all_files
+
+   !> Whether samples are written at all: a picture alone does not pour them over the terminal.
+   logical function wants_samples(arguments)
+      type(arguments_type), intent(in) :: arguments
+
+      wants_samples = .not. is_terminal(1)
+      if (option_given(arguments, '--output') .or. .not. option_given(arguments, '--plot')) wants_samples = .true.
+   end function wants_samples
 
    !> Whether the integrator, and the check at a tenth, take the accuracy: rounding in a step is near 1e-15.
    subroutine check_tolerance(path, is_checked, error)
@@ -146,35 +182,45 @@ contains
       type(csv_samples_type), target :: lines
 #ifdef KYVADLO_WITH_NETCDF
       type(netcdf_samples_type), target :: netcdf
+      character(len=:), allocatable :: name
       logical :: is_netcdf
 #endif
       class(sample_sink_type), pointer :: samples
       type(watched_samples_type) :: watch
       type(check_type), allocatable :: check
       integer :: columns
+      logical :: shows
 
       if (option_given(arguments, '--events')) then
          lines = new_csv_samples(output, events)
       else
          lines = new_csv_samples(output)
       end if
-      samples => lines
+      samples => null()
+      if (wants_samples(arguments)) samples => lines
 #ifdef KYVADLO_WITH_NETCDF
       is_netcdf = is_netcdf_name(option_value(arguments, '--output', ''))
       if (is_netcdf) then
-         call new_netcdf(netcdf, unfinished_name(output), simulation, path%method, error)
+         call get_unfinished_name(output, name)
+         call new_netcdf(netcdf, name, simulation, path%method, error)
          if (allocated(error)) return
          samples => netcdf
       end if
 #endif
       columns = 1 + sum(quantities(simulation%settings%quantities)%columns)
       wanted = simulation
+      shows = is_on_terminal(output)
+      if (associated(samples) .and. shows) then
+         shows = .false.
+      else
+         shows = is_terminal(2)
+      end if
       if (option_given(arguments, '--plot')) then
          if (all(simulation%settings%quantities /= quantity_position)) &
             wanted%settings%quantities = [simulation%settings%quantities, quantity_position]
-         watch = new_watch(samples, output, simulation%settings%samples, columns, plot)
+         watch = new_watch(samples, shows, simulation%settings%samples, columns, plot)
       else
-         watch = new_watch(samples, output, simulation%settings%samples, columns)
+         watch = new_watch(samples, shows, simulation%settings%samples, columns)
       end if
       if (option_given(arguments, '--check')) allocate (check)
       call simulate(wanted, path, watch, error, check)

@@ -5,22 +5,26 @@
 module kyvadlo_standard_io
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_null_char
    use, intrinsic :: iso_fortran_env, only: error_unit
-   use kyvadlo_status, only: code_file, error_type, fail
+   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_file_text, only: fail_of_system, read_input
+   use kyvadlo_quoting, only: visible
    use kyvadlo_text, only: text_sink_type
    implicit none
    private
-   public :: output_type, open_output, close_output, discard_output, flush_output, has_failed, is_on_terminal, unfinished_name
-   public :: input_type, read_line
-   public :: end_program, is_terminal, make_folder, message, set_signals
+   public :: output_type, open_output, close_output, discard_output, flush_output, is_on_terminal, get_unfinished_name
+   public :: input_type, longest_line, read_line
+   public :: end_program, is_terminal, make_folder, message, prepare_program, terminal_width
+   public :: descriptor_of
 
    integer, parameter :: buffer_size = 65536
    integer, parameter :: standard_output = 1
+   integer, parameter :: longest_line = 1048576 !! Of a request; 80 MB without an end of line are no request
 
-   !> Buffered output. Errors are kept; `close_output` reports the first.
+   !> Buffered output. What cannot be written ends the program, with a message and status 2, and leaves no unfinished file:
+   !> nobody computes for a full disk, and no command need ask.
    type, extends(text_sink_type) :: output_type
       private
       integer(c_int) :: descriptor = standard_output
-      integer(c_int) :: status = 0                  !! First errno, or 0
       integer :: used = 0
       character(kind=c_char, len=:), allocatable :: buffer
       character(len=:), allocatable :: path         !! Not allocated for standard output
@@ -41,14 +45,18 @@ module kyvadlo_standard_io
          import :: c_int
          integer(c_int), value :: status
       end subroutine c_exit
-      subroutine kyvadlo_set_signals() bind(c)
-      end subroutine kyvadlo_set_signals
-      function kyvadlo_read_input(buffer, size) bind(c) result(count)
-         import :: c_char, c_long
-         character(kind=c_char), intent(out) :: buffer(*)
-         integer(c_long), value :: size
-         integer(c_long) :: count
-      end function kyvadlo_read_input
+      subroutine kyvadlo_prepare() bind(c)
+      end subroutine kyvadlo_prepare
+      subroutine kyvadlo_remove_unfinished() bind(c)
+      end subroutine kyvadlo_remove_unfinished
+      function kyvadlo_stack_of_threads() bind(c) result(bytes)
+         import :: c_long
+         integer(c_long) :: bytes
+      end function kyvadlo_stack_of_threads
+      function kyvadlo_terminal_width() bind(c) result(columns)
+         import :: c_int
+         integer(c_int) :: columns
+      end function kyvadlo_terminal_width
       function kyvadlo_write(descriptor, bytes, size) bind(c) result(status)
          import :: c_char, c_int, c_long
          integer(c_int), value :: descriptor
@@ -81,11 +89,6 @@ module kyvadlo_standard_io
          import :: c_int
          integer(c_int), value :: descriptor
       end subroutine kyvadlo_discard_file
-      subroutine kyvadlo_describe(number, text, size) bind(c)
-         import :: c_char, c_int
-         integer(c_int), value :: number, size
-         character(kind=c_char), intent(out) :: text(*)
-      end subroutine kyvadlo_describe
       function kyvadlo_is_terminal(descriptor) bind(c) result(answer)
          import :: c_int
          integer(c_int), value :: descriptor
@@ -95,10 +98,20 @@ module kyvadlo_standard_io
 
 contains
 
-   !> A closed pipe ends the program quietly; an interrupt removes an unfinished file.
-   subroutine set_signals()
-      call kyvadlo_set_signals()
-   end subroutine set_signals
+   !> Handlers of signals, standard descriptors that are open, and a look at what the system gives us.
+   subroutine prepare_program(error)
+      type(error_type), allocatable, intent(out) :: error
+      !> The threads of `simulate` take 64 KiB at most.
+      integer(c_long), parameter :: least_stack = 131072
+      integer(c_long) :: stack
+      character(len=32) :: text
+
+      call kyvadlo_prepare()
+      stack = kyvadlo_stack_of_threads()
+      if (stack == 0 .or. stack >= least_stack) return
+      write (text, '(i0)') stack
+      call fail(error, code_input, 'OMP_STACKSIZE gives a thread '//trim(text)//' bytes; it needs 131072 (128k) or more')
+   end subroutine prepare_program
 
    !> Ends the program. (`stop` prints its code; gfortran 11 cannot be told not to.)
    subroutine end_program(status)
@@ -115,11 +128,17 @@ contains
       is_terminal = kyvadlo_is_terminal(int(descriptor, c_int)) /= 0
    end function is_terminal
 
-   !> One line on standard error.
+   !> Columns of the terminal that standard error is.
+   integer function terminal_width()
+
+      terminal_width = int(kyvadlo_terminal_width())
+   end function terminal_width
+
+   !> One line on standard error. Control characters, of names for example, are shown and not sent to the terminal.
    subroutine message(text)
       character(len=*), intent(in) :: text
 
-      write (error_unit, '(a)') text
+      write (error_unit, '(a)') visible(text)
       ! What is said before a long run is read before it, in a file or a pipe too.
       flush (error_unit)
    end subroutine message
@@ -131,7 +150,7 @@ contains
       integer(c_int) :: status
 
       status = kyvadlo_make_folder(path//c_null_char)
-      if (status /= 0) call fail(error, code_file, 'cannot make the folder '//path//': '//system_words(status))
+      if (status /= 0) call fail_of_system(error, 'cannot make the folder '//path, int(status))
    end subroutine make_folder
 
    !> Opens standard output (no path, or `-`) or a file. The file gets its name only in `close_output`.
@@ -145,8 +164,15 @@ contains
       if (path == '' .or. path == '-') return
       output%path = path
       status = kyvadlo_open_file(path//c_null_char, output%descriptor)
-      if (status /= 0) call fail(error, code_file, 'cannot write '//path//': '//system_words(status))
+      if (status /= 0) call fail_of_system(error, 'cannot write '//path, int(status))
    end subroutine open_output
+
+   !> The number under which the system knows the output.
+   integer function descriptor_of(output)
+      type(output_type), intent(in) :: output
+
+      descriptor_of = int(output%descriptor)
+   end function descriptor_of
 
    subroutine put_line_to_output(sink, line)
       class(output_type), intent(inout) :: sink
@@ -174,29 +200,40 @@ contains
    !> Hands everything over to the system.
    subroutine flush_output(output)
       class(output_type), intent(inout) :: output
+      integer(c_int) :: status
 
-      if (output%used > 0 .and. output%status == 0) &
-         output%status = kyvadlo_write(output%descriptor, output%buffer, int(output%used, c_long))
+      status = 0
+      if (output%used > 0) status = kyvadlo_write(output%descriptor, output%buffer, int(output%used, c_long))
       output%used = 0
+      if (status /= 0) call end_with_failure(output, status)
    end subroutine flush_output
 
-   !> Whether something could not be written: what follows would be lost too.
-   logical function has_failed(output)
-      type(output_type), intent(in) :: output
+   !> Ends the program because of a write that failed.
+   subroutine end_with_failure(output, status)
+      class(output_type), intent(in) :: output
+      integer(c_int), intent(in) :: status
+      type(error_type), allocatable :: error
 
-      has_failed = output%status /= 0
-   end function has_failed
+      call kyvadlo_remove_unfinished()
+      if (allocated(output%path)) then
+         call fail_of_system(error, 'cannot write '//output%path, int(status))
+      else
+         call fail_of_system(error, 'cannot write to standard output', int(status))
+      end if
+      call message('kyvadlo: '//error%message)
+      call end_program(2)
+   end subroutine end_with_failure
 
    !> The name under which a file is written until it is whole, for who opens it by name; empty for a device or pipe.
-   function unfinished_name(output) result(name)
+   subroutine get_unfinished_name(output, name)
       type(output_type), intent(in) :: output
-      character(len=:), allocatable :: name
+      character(len=:), allocatable, intent(out) :: name
       integer, parameter :: longest = 4096
       character(kind=c_char, len=longest) :: buffer
 
       call kyvadlo_unfinished_name(output%descriptor, buffer, int(longest, c_int))
       name = buffer(:index(buffer, c_null_char) - 1)
-   end function unfinished_name
+   end subroutine get_unfinished_name
 
    !> Whether what is written shows on a terminal.
    logical function is_on_terminal(output)
@@ -209,19 +246,12 @@ contains
    subroutine close_output(output, error)
       type(output_type), intent(inout) :: output
       type(error_type), allocatable, intent(out) :: error
+      integer(c_int) :: status
 
       call flush_output(output)
-      if (allocated(output%path)) then
-         if (output%status /= 0) then
-            call kyvadlo_discard_file(output%descriptor)
-         else
-            output%status = kyvadlo_finish_file(output%descriptor)
-         end if
-         if (output%status /= 0) &
-            call fail(error, code_file, 'cannot write '//output%path//': '//system_words(output%status))
-      else if (output%status /= 0) then
-         call fail(error, code_file, 'cannot write to standard output: '//system_words(output%status))
-      end if
+      if (.not. allocated(output%path)) return
+      status = kyvadlo_finish_file(output%descriptor)
+      if (status /= 0) call fail_of_system(error, 'cannot write '//output%path, int(status))
    end subroutine close_output
 
    !> Drops what has not left yet, and the unfinished file.
@@ -233,37 +263,38 @@ contains
    end subroutine discard_output
 
    !> The next line of standard input, without its end. Before waiting for input, `output` is flushed.
-   subroutine read_line(input, output, line, ended, error)
+   subroutine read_line(input, output, line, ended, is_cut, error)
       type(input_type), intent(inout) :: input
       type(output_type), intent(inout) :: output
-      character(len=:), allocatable, intent(out) :: line
+      character(len=:), allocatable, intent(out) :: line !! At most `longest_line` bytes
       logical, intent(out) :: ended                      !! No line is left
+      logical, intent(out) :: is_cut                     !! The line was longer
       type(error_type), allocatable, intent(out) :: error
-      integer(c_long) :: count
-      integer :: at
+      integer :: last, count
 
       ended = .false.
+      is_cut = .false.
       if (.not. allocated(input%buffer)) allocate (character(kind=c_char, len=buffer_size) :: input%buffer)
       line = ''
       do
-         at = index(input%buffer(input%first:input%last), new_line('a'))
-         if (at > 0) then
-            line = line//input%buffer(input%first:input%first + at - 2)
-            input%first = input%first + at
+         last = index(input%buffer(input%first:input%last), new_line('a'))
+         if (last > 0) then
+            call take(input%first + last - 2)
+            input%first = input%first + last
             return
          end if
-         line = line//input%buffer(input%first:input%last)
+         call take(input%last)
          input%first = 1
          input%last = 0
          if (.not. input%ended) then
             call flush_output(output)
-            count = kyvadlo_read_input(input%buffer, int(buffer_size, c_long))
+            count = read_input(0, input%buffer)
             if (count < 0) then
-               call fail(error, code_file, 'cannot read standard input: '//system_words(int(-count, c_int)))
+               call fail_of_system(error, 'cannot read standard input', -count)
                ended = .true.
                return
             end if
-            input%last = int(count)
+            input%last = count
             input%ended = count == 0
          end if
          if (input%ended) then
@@ -271,16 +302,18 @@ contains
             return
          end if
       end do
+
+   contains
+
+      !> Adds what the line may still take of the buffer.
+      subroutine take(last)
+         integer, intent(in) :: last
+         integer :: count
+
+         count = min(last - input%first + 1, longest_line - len(line))
+         is_cut = is_cut .or. count < last - input%first + 1
+         line = line//input%buffer(input%first:input%first + count - 1)
+      end subroutine take
    end subroutine read_line
-
-   function system_words(number) result(words)
-      integer(c_int), intent(in) :: number
-      character(len=:), allocatable :: words
-      integer, parameter :: longest = 256
-      character(kind=c_char, len=longest) :: buffer
-
-      call kyvadlo_describe(number, buffer, int(longest, c_int))
-      words = buffer(:index(buffer, c_null_char) - 1)
-   end function system_words
 
 end module kyvadlo_standard_io

@@ -4,10 +4,13 @@ module kyvadlo_study_command
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: read_number
-   use kyvadlo_quoting, only: shell_word
+   use kyvadlo_gnuplot, only: draw_picture
+   use kyvadlo_quoting, only: is_printable
+   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_scene, only: pendulum_type_real128
    use kyvadlo_scene_reader, only: read_scene
-   use kyvadlo_standard_io, only: close_output, discard_output, is_terminal, make_folder, message, open_output, output_type
+   use kyvadlo_standard_io, only: close_output, is_terminal, make_folder, message, open_output, output_type, &
+      terminal_width
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_study_csv, only: write_csv, write_machine
    use kyvadlo_study_functions, only: ask_functions
@@ -26,6 +29,9 @@ module kyvadlo_study_command
    private
    public :: study_command
 
+   !> The questions that may be asked.
+   character(len=*), parameter :: all_questions(*) = [character(len=13) :: 'position', 'position_1000', 'period', 'roots', &
+      'gaps', 'functions']
    !> Seconds of measuring a cell, and of the longest pass, with which `--quick` stays under 20 s on two cores of a common server;
    !> with those of `study_type` the full study stays under 5 minutes.
    real(real64), parameter :: quick_seconds = 0.002_real64, quick_cap = 0.03_real64
@@ -39,7 +45,7 @@ contains
       type(study_type) :: study
       type(study_orbit_type), allocatable :: orbits(:)
       type(study_cubic_type), allocatable :: cubics(:)
-      type(output_type) :: output
+      type(output_type) :: output, record
       character(len=:), allocatable :: folder
       integer :: i
 #ifdef KYVADLO_WITH_GSL
@@ -60,6 +66,8 @@ contains
       if (option_given(arguments, '--output')) then
          folder = option_value(arguments, '--output', '')
          call make_folder(folder, error)
+         if (.not. allocated(error)) call check_folder(arguments, folder, error)
+         if (.not. allocated(error)) call open_output(record, folder//'/study.csv', error)
          if (allocated(error)) return
       end if
       if (is_terminal(2)) study%progress => show_progress
@@ -74,10 +82,10 @@ contains
          call ask_roots(study, cubics(i))
       end do
       if (size(arguments%operands) == 0) call ask_functions(study)
-      if (is_terminal(2)) write (error_unit, '(a)', advance='no') achar(13)//repeat(' ', 78)//achar(13)
+      if (is_terminal(2)) write (error_unit, '(a)', advance='no') achar(13)//repeat(' ', progress_width())//achar(13)
 
       if (folder /= '') then
-         call write_files(study, folder, size(arguments%operands) > 0, error)
+         call write_files(study, folder, size(arguments%operands) > 0, record, error)
          if (allocated(error)) return
       end if
       call open_output(output, '', error)
@@ -142,6 +150,11 @@ contains
                error%message = place_of(pendulums(j)%file, pendulums(j)%line)//'&pendulum: '//error%message
                return
             end if
+            if (.not. is_printable(pendulums(j)%name)) then
+               call fail(error, code_input, place_of(pendulums(j)%file, pendulums(j)%line)// &
+                  "&pendulum: its name must be UTF-8 without control characters, got '"//pendulums(j)%name//"'")
+               return
+            end if
             if (any(orbits%name == orbit%name)) orbit%name = trim(orbit%name)//' of '//arguments%operands(i)%text
             if (any(orbits%name == orbit%name)) then
                call fail(error, code_input, "study: two pendulums are named '"//trim(orbit%name)//"'")
@@ -159,66 +172,80 @@ contains
       end do
    end subroutine read_orbits
 
+   !> Whether the folder takes our files, and has none in their place that we did not write.
+   subroutine check_folder(arguments, folder, error)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: folder
+      type(error_type), allocatable, intent(out) :: error
+      type(run_files_type) :: files
+      integer :: i
+
+      do i = 1, size(arguments%operands)
+         call add_input(files, 'the scene', arguments%operands(i)%text)
+      end do
+      call add_output(files, 'option --output', folder//'/study.csv', '# kyvadlo ')
+      do i = 1, size(all_questions)
+         associate (stem => folder//'/study_'//trim(all_questions(i)))
+            call add_output(files, 'option --output', stem//'.gp', '# Written by kyvadlo study')
+            call add_output(files, 'option --output', stem//'.svg')
+            call add_output(files, 'option --output', stem//'.png')
+         end associate
+      end do
+      call check_files(files, error)
+   end subroutine check_folder
+
    !> study.csv, and for each question a script of gnuplot, drawn if there is gnuplot.
-   subroutine write_files(study, folder, has_own_orbits, error)
+   subroutine write_files(study, folder, has_own_orbits, record, error)
       type(study_type), intent(in) :: study
       character(len=*), intent(in) :: folder
       logical, intent(in) :: has_own_orbits
+      type(output_type), intent(inout) :: record             !! study.csv
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: questions(:)
+      type(error_type), allocatable :: of_picture
       type(output_type) :: output
+      character(len=:), allocatable :: stem
       logical :: has_gnuplot
       integer :: i
 
-      call open_output(output, folder//'/study.csv', error)
-      if (allocated(error)) return
-      call write_csv(study, has_own_orbits, output)
-      call close_output(output, error)
+      call write_csv(study, has_own_orbits, record)
+      call close_output(record, error)
       if (allocated(error)) return
       call names_in(study, 'question', '', questions)
-      has_gnuplot = shell_says_yes('command -v gnuplot >/dev/null')
+      has_gnuplot = .true.
       do i = 1, size(questions)
-         call open_output(output, folder//'/study_'//questions(i)%text//'.gp', error)
+         stem = folder//'/study_'//questions(i)%text
+         call open_output(output, stem//'.gp', error)
          if (allocated(error)) return
          call write_plot(study, questions(i)%text, output)
          call close_output(output, error)
          if (allocated(error)) return
-         if (has_gnuplot) call draw(folder, 'study_'//questions(i)%text)
+         if (has_gnuplot) call draw_picture(stem//'.gp', stem//'.svg', has_gnuplot, of_picture)
+         if (has_gnuplot .and. .not. allocated(of_picture)) &
+            call draw_picture(stem//'.gp', stem//'.png', has_gnuplot, of_picture)
+         if (allocated(of_picture)) call message('kyvadlo: '//of_picture%message)
       end do
-      if (.not. has_gnuplot) call message('kyvadlo: no gnuplot here to draw the pictures; where there is: gnuplot study_*.gp')
+      if (.not. has_gnuplot) &
+         call message('kyvadlo: no gnuplot here to draw the pictures; where there is: gnuplot study_*.gp')
    end subroutine write_files
-
-   !> Lets gnuplot draw a picture under another name, which it then gives up for its own.
-   subroutine draw(folder, name)
-      character(len=*), intent(in) :: folder, name
-      logical :: is_removed
-
-      if (shell_says_yes('cd '//shell_word(folder)//" && gnuplot -e ""before='.part.'"" "//name//'.gp && mv .part.'//name// &
-         '.svg '//name//'.svg && mv .part.'//name//'.png '//name//'.png')) return
-      call message('kyvadlo: gnuplot could not draw '//name//'.gp')
-      is_removed = shell_says_yes('cd '//shell_word(folder)//' && rm -f .part.'//name//'.svg .part.'//name//'.png')
-   end subroutine draw
-
-   !> Does the command end with status 0?
-   logical function shell_says_yes(command)
-      character(len=*), intent(in) :: command
-      integer :: status, command_status
-
-      call execute_command_line(command, exitstat=status, cmdstat=command_status)
-      shell_says_yes = command_status == 0 .and. status == 0
-   end function shell_says_yes
 
    !> What is being measured, on the same line of the terminal.
    subroutine show_progress(count, cell)
       integer, intent(in) :: count
       type(cell_type), intent(in) :: cell
-      character(len=78) :: line
+      character(len=200) :: line
 
-      write (line, '(i5,9a)') count + 1, '  ', trim(cell%question), '  ', trim(cell%orbit), '  ', trim(cell%method), ' ', &
+      write (line, '(i0,9a)') count + 1, '  ', trim(cell%question), '  ', trim(cell%orbit), '  ', trim(cell%method), ' ', &
          trim(cell%setting), ' '//trim(cell%kind)
-      write (error_unit, '(2a)', advance='no') achar(13), line
+      write (error_unit, '(2a)', advance='no') achar(13), line(:progress_width())
       flush (error_unit)
    end subroutine show_progress
+
+   !> Columns of a line that does not wrap.
+   integer function progress_width()
+
+      progress_width = min(terminal_width() - 1, 78)
+   end function progress_width
 
    !> So that nothing measured can have been left out.
    subroutine put_checksum(study, output)

@@ -11,10 +11,10 @@ module kyvadlo_scene_effects
    use kyvadlo_scene_groups
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: shown, split_words
+   use kyvadlo_text, only: shown
    implicit none
    private
-   public :: effects_of
+   public :: effects_of, get_table_path
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
    character(len=*), parameter :: line_feed = achar(10)
@@ -48,8 +48,18 @@ contains
       end associate
    end subroutine effects_of
 
+   !> The path of the pivot's table, counted from the folder of the scene; not allocated where there is none.
+   subroutine get_table_path(simulation, path)
+      type(simulation_type), intent(in) :: simulation
+      character(len=:), allocatable, intent(out) :: path
+
+      if (.not. allocated(simulation%settings%table)) return
+      path = simulation%settings%table
+      if (path(1:1) /= '/') path = simulation%folder//path
+   end subroutine get_table_path
+
    !> A table of the pivot: a line for each time, `t x y z` in s and m, separated by blanks or commas; blank lines and what
-   !> follows a # are left out. Its place is counted from the folder of the scene.
+   !> follows a # are left out.
    subroutine read_table(simulation, effects, error)
       type(simulation_type), intent(in) :: simulation
       type(effects_type), intent(inout) :: effects
@@ -57,11 +67,9 @@ contains
       character(len=:), allocatable :: text, path
       real(wp), allocatable :: rows(:, :), more(:, :)
       real(wp) :: row(4)
-      character(len=:), allocatable :: place
-      integer :: first, length, line, count
+      integer :: first, last, line, count, found
 
-      path = simulation%settings%table
-      if (path(1:1) /= '/') path = simulation%folder//path
+      call get_table_path(simulation, path)
       call read_file(path, text, error)
       if (allocated(error)) then
          error%message = place_of(simulation%settings%file, simulation%settings%line(moving_pivot_group)) &
@@ -74,20 +82,19 @@ contains
       first = 1
       do while (first <= len(text))
          line = line + 1
-         length = index(text(first:), line_feed) - 1
-         if (length < 0) length = len(text) - first + 1
-         place = place_of(path, line)
-         call read_row(text(first:first + length - 1), place, row, length, error)
-         if (allocated(error)) return
-         first = first + index(text(first:)//line_feed, line_feed)
-         if (length == 0) cycle
-         if (count > 0) then
-            if (.not. row(1) > rows(1, count)) then
-               call fail(error, code_input, place//'the times of the table must ascend, got '//shortest_text(row(1))//' after ' &
-                  //shortest_text(rows(1, count)))
-               return
-            end if
+         last = first + index(text(first:), line_feed) - 2
+         if (last < first - 1) last = len(text)
+         call read_row(text(first:last), row, found, error)
+         if (.not. allocated(error) .and. found > 0 .and. count > 0) then
+            if (.not. row(1) > rows(1, count)) call fail(error, code_input, 'the times of the table must ascend, got '// &
+               shortest_text(row(1))//' after '//shortest_text(rows(1, count)))
          end if
+         if (allocated(error)) then
+            error%message = place_of(path, line)//error%message
+            return
+         end if
+         first = last + 2
+         if (found == 0) cycle
          if (count == size(rows, 2)) then
             allocate (more(4, 2*count))
             more(:, :count) = rows
@@ -106,33 +113,35 @@ contains
    end subroutine read_table
 
    !> Four numbers of a line.
-   subroutine read_row(line, place, row, count, error)
-      character(len=*), intent(in) :: line, place
+   subroutine read_row(line, row, count, error)
+      character(len=*), intent(in) :: line
       real(wp), intent(out) :: row(4)
       integer, intent(out) :: count                        !! Numbers found: 0 or 4
       type(error_type), allocatable, intent(out) :: error
-      character(len=len(line)) :: blank
+      character(len=*), parameter :: between = ' ,'//achar(9)//achar(13)
       character(len=:), allocatable :: what
-      integer, allocatable :: first(:), last(:)
-      integer :: i
+      integer :: first, last, length
 
-      blank = line
-      do i = 1, len(blank)
-         if (blank(i:i) == ',') blank(i:i) = ' '
-         if (blank(i:i) == '#') blank(i:) = ''
-      end do
-      call split_words(blank, first, last, count)
       row = 0
-      if (count /= 0 .and. count /= 4) then
-         call fail(error, code_input, place//'a line of the table has 4 numbers, t x y z, got '//shown(line))
-         return
-      end if
-      do i = 1, count
-         call read_number(blank(first(i):last(i)), row(i), what)
+      count = 0
+      length = index(line, '#') - 1
+      if (length < 0) length = len(line)
+      last = 0
+      do
+         first = verify(line(last + 1:length), between)
+         if (first == 0) exit
+         first = last + first
+         last = first + scan(line(first:length), between) - 2
+         if (last < first) last = length
+         count = count + 1
+         if (count > 4) exit
+         call read_number(line(first:last), row(count), what)
          if (.not. allocated(what)) cycle
-         call fail(error, code_input, place//'a number is expected, got '//shown(blank(first(i):last(i)))//' ('//what//')')
+         call fail(error, code_input, 'a number is expected, got '//shown(line(first:last))//' ('//what//')')
          return
       end do
+      if (count /= 0 .and. count /= 4) &
+         call fail(error, code_input, 'a line of the table has 4 numbers, t x y z, got '//shown(line))
    end subroutine read_row
 
 end module kyvadlo_scene_effects

@@ -36,6 +36,7 @@ contains
       integer :: columns, rows, i
       real(real64) :: least, most
       character(len=40) :: range
+      character(len=3) :: page
 
       call names_in(study, 'orbit', question, orbits)
       call list_series(study, question, series)
@@ -43,8 +44,7 @@ contains
       rows = (size(orbits) + columns)/columns
       call sink%put('# Written by kyvadlo study; draws study_'//question//'.svg and study_'//question//'.png from study.csv.')
       call sink%put('# gnuplot study_'//question//'.gp')
-      call sink%put("if (!exists('before')) before = ''")
-      call sink%put("csv = 'study.csv'")
+      call sink%put("csv = './study.csv'")
       call sink%put("set datafile separator ','")
       call sink%put('set logscale xy')
       ! The same axes in all panels, whole decades.
@@ -71,15 +71,17 @@ contains
       ! No error at all is a point at the lower end, nonsense one at the upper.
       call sink%put('error = ''(column(6) > 1e-36 ? column(6) < 10 ? column(6) : 10 : 1e-36)''')
       do i = 1, 2
+         ! Without a page asked for both are drawn; kyvadlo itself takes each from standard output.
+         page = merge('svg', 'png', i == 1)
+         call sink%put("if (!exists('page') || page eq '"//page//"') {")
          if (i == 1) then
-            call sink%put("set terminal svg size "//trim(page_size(rows, columns))// &
-               " enhanced background '#ffffff'")
-            call sink%put("set output before.'study_"//question//".svg'")
+            call sink%put("set terminal svg size "//trim(page_size(rows, columns))//" enhanced background '#ffffff'")
          else
             call sink%put("set terminal pngcairo size "//trim(page_size(rows, columns))//' enhanced')
-            call sink%put("set output before.'study_"//question//".png'")
          end if
+         call sink%put("if (!exists('page')) { set output './study_"//question//'.'//page//"' }")
          call put_panels(study, question, orbits, series, rows, columns, sink)
+         call sink%put('}')
       end do
    end subroutine write_plot
 
