@@ -89,43 +89,75 @@ contains
       type(bench_type), intent(inout) :: bench
       integer, intent(in) :: row, level
       real(real64), intent(out) :: time
-      type(error_type), allocatable :: error
-      type(orbit_type) :: orbit
-      real(real64) :: place(3), velocity(3), total
+      real(real64) :: total
       integer(int64) :: start
-      integer :: i, count
+      integer :: count
 
       total = 0
-      count = calls
+      count = points
       call system_clock(start)
-      select case (row)
-      case (sine_row)
-         count = points
-         do i = 1, points
-            total = total + sin(bench%a(i))
-         end do
-      case (floor_row)
-         count = points
-         select case (level)
-         case (0)
-            call floor_baseline(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
-         case (1)
-            call floor_v3(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
+      if (row <= dual_rates_row .or. row >= period_many) then
+         call run_arrays(bench, row, level, total)
+      else if (row < set_up_direct .or. row > set_up_upright) then
+         count = calls
+         call run_calls(bench, row, total)
+      else
+         count = calls/10
+         call run_set_ups(row, count, total)
+      end if
+      time = nanoseconds_since(start)/count
+      bench%checksum = bench%checksum + total + bench%out(1 + modulo(row, 7), 1)
+   end subroutine measure
+
+   !> All points by one call.
+   subroutine run_arrays(bench, row, level, total)
+      type(bench_type), intent(inout) :: bench
+      integer, intent(in) :: row, level
+      real(real64), intent(inout) :: total
+      integer :: i
+
+      associate (a => bench%a, b => bench%b, out => bench%out)
+         select case (row)
+         case (sine_row)
+            do i = 1, points
+               total = total + sin(a(i))
+            end do
+         case (floor_row)
+            select case (level)
+            case (0)
+               call floor_baseline(a, b, out(:, 1), out(:, 2), out(:, 3))
+            case (1)
+               call floor_v3(a, b, out(:, 1), out(:, 2), out(:, 3))
+            case default
+               call floor_v4(a, b, out(:, 1), out(:, 2), out(:, 3))
+            end select
+         case (direct_row)
+            call locate_batch(bench%direct, bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
+         case (dual_row)
+            call locate_batch(bench%dual, bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
+         case (direct_rates_row)
+            call locate_batch(bench%direct, bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
+               highest_level=level)
+         case (dual_rates_row)
+            call locate_batch(bench%dual, bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
+               highest_level=level)
+         case (period_many)
+            call periods_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
          case default
-            call floor_v4(bench%a, bench%b, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3))
+            call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), level)
          end select
-      case (direct_row)
-         count = points
-         call places(bench, bench%direct, level)
-      case (dual_row)
-         count = points
-         call places(bench, bench%dual, level)
-      case (direct_rates_row)
-         count = points
-         call rates(bench, bench%direct, level)
-      case (dual_rates_row)
-         count = points
-         call rates(bench, bench%dual, level)
+      end associate
+   end subroutine run_arrays
+
+   !> A call for every time.
+   subroutine run_calls(bench, row, total)
+      type(bench_type), intent(in) :: bench
+      integer, intent(in) :: row
+      real(real64), intent(inout) :: total
+      real(real64) :: place(3), velocity(3)
+      integer :: i
+
+      select case (row)
       case (one_direct)
          do i = 1, calls
             call locate(bench%direct, bench%time(i), place)
@@ -150,56 +182,38 @@ contains
          do i = 1, calls
             total = total + azimuth(bench%dual, bench%time(i))
          end do
-      case (set_up_direct, set_up_dual, set_up_upright)
-         count = calls/10
-         do i = 1, count
-            select case (row)
-            case (set_up_direct)
-               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1.3_real64, 0.1_real64 + 1e-6_real64*i, error)
-            case (set_up_dual)
-               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + 1e-6_real64*i, error)
-            case default
-               call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-22_real64*i, &
-                  error)
-            end select
-            total = total + height_period(orbit)
-         end do
       case (period_one)
          do i = 1, calls
             total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top(i), bench%bottom(i))
          end do
-      case (period_upright)
+      case default
          do i = 1, calls
             total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), bench%bottom_upright(i))
          end do
-      case (period_many)
-         count = points
-         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, bench%out(:, 1), level)
-      case default
-         count = points
-         call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, bench%out(:, 1), &
-            level)
       end select
-      time = nanoseconds_since(start)/count
-      bench%checksum = bench%checksum + total + bench%out(1 + modulo(row, 7), 1)
-   end subroutine measure
+   end subroutine run_calls
 
-   subroutine places(bench, orbit, level)
-      type(bench_type), intent(inout) :: bench
-      type(orbit_type), intent(in) :: orbit
-      integer, intent(in) :: level
+   subroutine run_set_ups(row, count, total)
+      integer, intent(in) :: row, count
+      real(real64), intent(inout) :: total
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+      real(real64) :: step
+      integer :: i
 
-      call locate_batch(orbit, bench%time, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3), highest_level=level)
-   end subroutine places
-
-   subroutine rates(bench, orbit, level)
-      type(bench_type), intent(inout) :: bench
-      type(orbit_type), intent(in) :: orbit
-      integer, intent(in) :: level
-
-      call locate_batch(orbit, bench%time, bench%out(:, 1), bench%out(:, 2), bench%out(:, 3), &
-         bench%out(:, 4), bench%out(:, 5), bench%out(:, 6), highest_level=level)
-   end subroutine rates
+      do i = 1, count
+         step = 1e-6_real64*i
+         select case (row)
+         case (set_up_direct)
+            call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1.3_real64, 0.1_real64 + step, error)
+         case (set_up_dual)
+            call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + step, error)
+         case default
+            call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-16_real64*step, error)
+         end select
+         total = total + height_period(orbit)
+      end do
+   end subroutine run_set_ups
 
    subroutine print_places(unit, level, t)
       integer, intent(in) :: unit, level
@@ -256,7 +270,7 @@ contains
       type(rival_type) :: rival
       type(error_type), allocatable :: failure
       integer(int64) :: start
-      integer :: i, k, n, pass, scenario
+      integer :: k, n, pass, scenario
       logical :: has
 
       has = .false.
@@ -271,13 +285,7 @@ contains
             n = scenario_points(scenario)
             call new_orbit_from_heights(orbit, 1.0_real64, 1.0_real64, peers(k)%upper, peers(k)%lower, failure)
             period = height_period(orbit)
-            do i = 1, n
-               if (scenario == 1) then
-                  time(i) = period*i/n
-               else
-                  time(i) = period*(i - 1 + modulo(0.6180339887498949_real64*i, 1.0_real64))
-               end if
-            end do
+            time(:n) = times_of(scenario, n)
             do pass = 1, passes
                call measure(bench, sine_row, 0, sine(pass))
                call system_clock(start)
@@ -304,6 +312,19 @@ contains
       end do
 
    contains
+
+      !> Over one period, or one in each of many periods.
+      function times_of(scenario, n) result(times)
+         integer, intent(in) :: scenario, n
+         real(real64) :: times(n)
+         integer :: i
+
+         if (scenario == 1) then
+            times = [(period*i/n, i=1, n)]
+         else
+            times = [(period*(i - 1 + modulo(0.6180339887498949_real64*i, 1.0_real64)), i=1, n)]
+         end if
+      end function times_of
 
       !> Greatest distance of every 10th position from the real128 motion; GSL's start half a period later.
       real(real64) function worst_error(later)

@@ -1,5 +1,5 @@
-!> Places point by point from other formulas than the theta series: sn, cn, dn and the polar-angle series; elliptic integrals of
-!> the third kind; the textbook's small oscillations.
+!> Places point by point from other formulas than the theta series: sn, cn, dn and the polar-angle series; elliptic
+!> integrals of the third kind; the textbook's small oscillations.
 module kyvadlo_study_by_point
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
    use kyvadlo
@@ -133,7 +133,8 @@ contains
       rate = phase_rate(orbit)
       associate (turning => orbit%turning)
          do i = 1, n_times
-            call evaluate_jacobi(jacobi, rate*since(orbit, work%times(i), anint(work%times(i)/orbit%period%high)), sn, cn, dn, am)
+            call evaluate_jacobi(jacobi, rate*since(orbit, work%times(i), anint(work%times(i)/orbit%period%high)), sn, &
+               cn, dn, am)
             up = turning%lower_rise + turning%swing*(cn/dn)**2
             down = turning%top_gap + turning%swing*orbit%complementary_parameter*(sn/dn)**2
             phi = azimuth(orbit, work%times(i))
@@ -144,8 +145,9 @@ contains
       work%sink = work%sink + sum(work%x) + sum(work%y) + sum(work%z)
    end subroutine jacobi_series_pass
 
-   !> From the nearest lowest point, dphi = c2/2l (1/(l - z) + 1/(l + z)) dt with z = z2 + (z1 - z2) sn**2 w. In a plane through the
-   !> vertical c2 and l + z2 vanish: the integrals have no value, but their limit is half a turn at the lowest point.
+   !> From the nearest lowest point, dphi = c2/2l (1/(l - z) + 1/(l + z)) dt with z = z2 + (z1 - z2) sn**2 w. In a plane
+   !> through the vertical c2 and l + z2 vanish: the integrals have no value, but their limit is half a turn at the
+   !> lowest point.
    subroutine integrals_pass(work)
       class(integrals_type), intent(inout) :: work
       type(error_type), allocatable :: error
@@ -175,7 +177,8 @@ contains
                phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, mc, sn, cn, dn) &
                   + factor(2)*third(work%by, n(2), am, m, mc, sn, cn, dn)
             end if
-            call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%top_gap + turning%swing*cn**2, phi)
+            call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%top_gap + turning%swing*cn**2, &
+               phi)
          end do
       end associate
       work%evaluations = 2*n_times
@@ -201,8 +204,8 @@ contains
       if (by < 0) sn = huge(sn)*m ! Every argument is referred to in either build.
    end subroutine jacobi_by
 
-   !> Pi(n; am, m) of an amplitude up to pi/2; R_F and R_J by DLMF 19.25.14. Carlson's integrals take complements of m and n as
-   !> they are, Legendre's that of m, GSL's none.
+   !> Pi(n; am, m) of an amplitude up to pi/2; R_F and R_J by DLMF 19.25.14. Carlson's integrals take complements of m
+   !> and n as they are, Legendre's that of m, GSL's none.
    real(wp) function third(by, n, am, m, mc, sn, cn, dn)
       integer, intent(in) :: by
       type(characteristic_type), intent(in) :: n

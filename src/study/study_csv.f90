@@ -18,8 +18,8 @@ contains
       integer :: i
 
       call write_machine('# ', sink)
-      write (line, '(a,f0.3,a,f0.3,a)') '# Each cell measured for ', study%seconds, ' s; capped: one pass takes over ', &
-         study%cap, ' s.'
+      write (line, '(a,f0.3,a,f0.3,a)') '# Each cell measured for ', study%seconds, &
+         ' s; capped: one pass takes over ', study%cap, ' s.'
       call sink%put(trim(line))
       call sink%put('# Times in nanoseconds a result: median, lower and upper quartile of the passes.')
       if (has_own_orbits) then

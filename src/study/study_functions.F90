@@ -11,11 +11,11 @@ module kyvadlo_study_functions
    public :: ask_functions, function_names, n_functions
 
    integer, parameter :: q = real128
-#include "study_functions.inc"
+   include 'study_functions.inc'
 
    !> In the order of `ids`.
-   character(len=12), parameter :: function_names(n_functions) = [character(len=12) :: 'R_C', 'R_F', 'R_D', 'R_J', 'K', 'E', 'D', &
-      'Pi', 'F(phi)', 'E(phi)', 'D(phi)', 'Pi(phi)', 'sn cn dn']
+   character(len=12), parameter :: function_names(n_functions) = [character(len=12) :: 'R_C', 'R_F', 'R_D', 'R_J', &
+      'K', 'E', 'D', 'Pi', 'F(phi)', 'E(phi)', 'D(phi)', 'Pi(phi)', 'sn cn dn']
    character(len=5), parameter :: set_names(2) = ['     ', ' hard']
 
    integer, parameter :: single = 1, double = 2, quad = 3, gsl = 4
@@ -59,7 +59,8 @@ contains
             call one(double, 'ours', 'real64')
             call one(quad, 'ours', 'real128')
 #ifdef KYVADLO_WITH_GSL
-            ! GSL's integrals take the modulus, which is the last of their arguments; its Jacobi functions the parameter.
+            ! GSL's integrals take the modulus, which is the last of their arguments; its Jacobi functions the
+            ! parameter.
             if (ids(i) >= id_k .and. ids(i) /= id_jacobi) work%x(:, arguments_of(i)) = sqrt(work%x(:, arguments_of(i)))
             call one(gsl, 'gsl_ellint', 'real64')
 #endif
@@ -73,8 +74,8 @@ contains
          character(len=*), intent(in) :: name, kind
 
          work%method = method
-         call measure(study, work, cell_type(question='functions', orbit=trim(function_names(i))//trim(set_names(set)), &
-            method=name, setting=trim(merge('benign', 'hard  ', set == 1)), kind=kind))
+         call measure(study, work, cell_type(question='functions', orbit=trim(function_names(i))// &
+            trim(set_names(set)), method=name, setting=trim(merge('benign', 'hard  ', set == 1)), kind=kind))
       end subroutine one
    end subroutine ask_functions
 

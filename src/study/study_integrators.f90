@@ -14,8 +14,8 @@ module kyvadlo_study_integrators
    private
    public :: ask_integrators
 
-   character(len=*), parameter :: method_names(5) = [character(len=11) :: 'gsl_rk4', 'gsl_rkf45', 'gsl_rk8pd', 'gsl_msadams', &
-      'gsl_bsimp']
+   character(len=*), parameter :: method_names(5) = [character(len=11) :: 'gsl_rk4', 'gsl_rkf45', 'gsl_rk8pd', &
+      'gsl_msadams', 'gsl_bsimp']
    character(len=*), parameter :: coordinate_names(2) = [character(len=9) :: 'cartesian', 'spherical']
    integer, parameter :: cartesian = 1, spherical = 2
 
@@ -35,8 +35,8 @@ module kyvadlo_study_integrators
 
 contains
 
-   !> Every method in both coordinates at tolerances from 1e-3 to 1e-14; at fewer over 1000 periods, where a cell takes as long as
-   !> the cap lets it. Behind a tolerance that took too long the tighter ones are not tried.
+   !> Every method in both coordinates at tolerances from 1e-3 to 1e-14; at fewer over 1000 periods, where a cell takes
+   !> as long as the cap lets it. Behind a tolerance that took too long the tighter ones are not tried.
    subroutine ask_integrators(study, orbit, span)
       type(study_type), intent(inout) :: study
       type(study_orbit_type), intent(in) :: orbit
@@ -57,8 +57,8 @@ contains
                work%tolerance = 10.0_real64**(-digits)
                write (setting, '(a,a,i0)') trim(coordinate_names(coordinates)), ' 1e-', digits
                if (is_too_long) then
-                  call add_cell(study, cell_type(question=span_questions(span), orbit=orbit%name, method=method_names(method), &
-                     setting=setting, kind='real64', outcome=capped))
+                  call add_cell(study, cell_type(question=span_questions(span), orbit=orbit%name, &
+                     method=method_names(method), setting=setting, kind='real64', outcome=capped))
                else
                   call ask(study, work, orbit, span, trim(method_names(method)), trim(setting), 'real64')
                   is_too_long = study%cells(study%count)%outcome == capped
@@ -111,8 +111,9 @@ contains
          system = fgsl_odeiv2_system_init(spherical_rates, 3_fgsl_size_t, c_loc(problem), spherical_jacobian)
       end if
       ! A first step far below the shortest time scale; GSL adapts it at once.
-      driver = fgsl_odeiv2_driver_alloc_y_new(system, step_of(work%method), 1e-3_c_double*sqrt(problem%length/problem%gravity), &
-         work%tolerance*merge(problem%length, 1.0_c_double, work%coordinates == cartesian), 0.0_c_double)
+      driver = fgsl_odeiv2_driver_alloc_y_new(system, step_of(work%method), &
+         1e-3_c_double*sqrt(problem%length/problem%gravity), work%tolerance*merge(problem%length, 1.0_c_double, &
+         work%coordinates == cartesian), 0.0_c_double)
       status = fgsl_odeiv2_driver_set_nmax(driver, steps_at_once)
       t = 0
       if (work%coordinates == cartesian) then

@@ -11,8 +11,8 @@ module kyvadlo_study_orbits
    public :: study_orbit_type, built_in_orbits, orbit_from_pendulum, n_times, one_period, thousand_periods
 
    integer, parameter :: q = real128
-#include "study_reference.inc"
-#include "study_positions.inc"
+   include 'study_reference.inc'
+   include 'study_positions.inc'
 
    !> Second index of `times` and third of `positions`: within one period, and within the 1000th.
    integer, parameter :: one_period = 1, thousand_periods = 2
@@ -30,8 +30,8 @@ module kyvadlo_study_orbits
 
 contains
 
-   !> A typical orbit, one near the conical, near the plane, near the upright, a small oscillation, an energetic one and a
-   !> plane one; the references are stored.
+   !> A typical orbit, one near the conical, near the plane, near the upright, a small oscillation, an energetic one and
+   !> a plane one; the references are stored.
    subroutine built_in_orbits(orbits)
       type(study_orbit_type), allocatable, intent(out) :: orbits(:)
       type(error_type), allocatable :: error
@@ -40,7 +40,8 @@ contains
       allocate (orbits(n_orbits))
       do i = 1, n_orbits
          orbits(i)%name = orbit_names(i)
-         orbits(i)%start = study_start_type(1.0_real64, built_in_gravity, by_rises(i), first_of_start(i), second_of_start(i))
+         orbits(i)%start = study_start_type(1.0_real64, built_in_gravity, by_rises(i), first_of_start(i), &
+            second_of_start(i))
          call set_up_orbit(orbits(i)%start, orbits(i)%orbit, error)
          orbits(i)%period = periods(i)
          orbits(i)%advance = advances(i)
@@ -56,8 +57,8 @@ contains
       orbits(7)%positions = positions_plane
    end subroutine built_in_orbits
 
-   !> The orbit of a pendulum of a scene, from an upper turning point on; its gaps are rounded to double precision first. An
-   !> orbit without a period, or whose gaps do not determine it, is refused.
+   !> The orbit of a pendulum of a scene, from an upper turning point on; its gaps are rounded to double precision
+   !> first. An orbit without a period, or whose gaps do not determine it, is refused.
    subroutine orbit_from_pendulum(pendulum, study_orbit, error)
       type(pendulum_type_real128), intent(in) :: pendulum
       type(study_orbit_type), intent(out) :: study_orbit

@@ -18,8 +18,9 @@ module kyvadlo_study_period
    !> Orbits in a pass: all the same, which no compiler knows. Whole groups of the batch kernels.
    integer, parameter :: copies = 64
 
-   integer, parameter :: by_set_up_32 = 1, by_set_up_64 = 2, by_set_up_128 = 3, by_gaps = 4, by_agm = 5, by_carlson = 6, &
-      by_gsl = 7, by_gauss = 8, by_qag = 9, by_amplitude = 10, by_sine = 11, by_ellipse = 12, by_gaps_of_many = 13, by_accuracy = 14
+   integer, parameter :: by_set_up_32 = 1, by_set_up_64 = 2, by_set_up_128 = 3, by_gaps = 4, by_agm = 5, &
+      by_carlson = 6, by_gsl = 7, by_gauss = 8, by_qag = 9, by_amplitude = 10, by_sine = 11, by_ellipse = 12, &
+      by_gaps_of_many = 13, by_accuracy = 14
 
    type, extends(work_type) :: period_work_type
       integer :: method = 0
@@ -201,8 +202,8 @@ contains
                case (by_gauss)
                   work%found(i) = gauss_period(unit_time(start), swings_of(start), work%table)
                case (by_qag)
-                  call qag_period(unit_time(start), swings_of(start), work%table, work%tolerance, work%found(i), evaluations, &
-                     work%has_failed)
+                  call qag_period(unit_time(start), swings_of(start), work%table, work%tolerance, work%found(i), &
+                     evaluations, work%has_failed)
                case (by_amplitude)
                   work%found(i) = amplitude_series(start, work%count)
                case (by_sine)

@@ -1,4 +1,5 @@
-!> The period T by GSL: its complete integral K, a Gauss-Legendre rule, adaptive quadrature. Without GSL `has_gsl` is false.
+!> The period T by GSL: its complete integral K, a Gauss-Legendre rule, adaptive quadrature. Without GSL `has_gsl` is
+!> false.
 !>
 !> T = 2 sqrt(2/g) l times the integral of 1/sqrt((z3 - z2) cos**2 + (z3 - z1) sin**2) over a quarter of the circle.
 module kyvadlo_study_period_gsl
@@ -112,8 +113,8 @@ contains
 
       problem%swings = swings
       f = fgsl_function_init(integrand, c_loc(problem))
-      status = fgsl_integration_qag(f, 0.0_c_double, quarter, 0.0_c_double, tolerance, most_intervals, fgsl_integ_gauss15, &
-         table%workspace, value, estimate)
+      status = fgsl_integration_qag(f, 0.0_c_double, quarter, 0.0_c_double, tolerance, most_intervals, &
+         fgsl_integ_gauss15, table%workspace, value, estimate)
       call fgsl_function_free(f)
       if (status /= 0) has_failed = .true.
       period = unit_time*value

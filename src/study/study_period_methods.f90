@@ -6,7 +6,8 @@ module kyvadlo_study_period_methods
    use kyvadlo_study_set_up, only: study_start_type
    implicit none
    private
-   public :: swings_type, swings_of, unit_time, agm_period, carlson_period, amplitude_series, sine_series, ellipse_series
+   public :: swings_type, swings_of, unit_time, agm_period, carlson_period, amplitude_series, sine_series, &
+      ellipse_series
 
    !> What T depends on, formed by sums without cancellation, [S6.1].
    type :: swings_type
@@ -63,7 +64,8 @@ contains
       period = unit_time(start)*pi/(2*a)
    end function agm_period
 
-   !> R_F by Carlson's duplication (Numer. Math. 33 (1979) 1) and his series of degree 5, after a number of duplications.
+   !> R_F by Carlson's duplication (Numer. Math. 33 (1979) 1) and his series of degree 5, after a number of
+   !> duplications.
    pure real(real64) function carlson_period(start, duplications) result(period)
       type(study_start_type), intent(in) :: start
       integer, intent(in) :: duplications
@@ -95,8 +97,9 @@ contains
       type(study_start_type), intent(in) :: start
       integer, intent(in) :: highest  !! 0 ... 6
       !> 1 + a**2/16 + 11 a**4/3072 + 173 a**6/737280 + ...: (2/pi) K(sin(a/2)**2) by powers of a.
-      real(real64), parameter :: coefficients(0:6) = [1.0_real64, 1/16.0_real64, 11/3072.0_real64, 173/737280.0_real64, &
-         22931/1321205760.0_real64, 1319183/951268147200.0_real64, 233526463/2009078326886400.0_real64]
+      real(real64), parameter :: coefficients(0:6) = [1.0_real64, 1/16.0_real64, 11/3072.0_real64, &
+         173/737280.0_real64, 22931/1321205760.0_real64, 1319183/951268147200.0_real64, &
+         233526463/2009078326886400.0_real64]
       type(swings_type) :: swings
       real(real64) :: amplitude, sum
       integer :: i
@@ -128,8 +131,8 @@ contains
       period = pi*sqrt(start%length/start%gravity)*sum
    end function sine_series
 
-   !> The small ellipse with half axes a, b: T = pi sqrt(l/g) [1 + (a**2 + b**2)/16 l**2 + (25 (a**2 + b**2)**2 - 76 a**2 b**2)/1024 l**4],
-   !> up to the power 2 `highest`.
+   !> The small ellipse with half axes a, b: T = pi sqrt(l/g) [1 + (a**2 + b**2)/16 l**2 + (25 (a**2 + b**2)**2 - 76
+   !> a**2 b**2)/1024 l**4], up to the power 2 `highest`.
    pure real(real64) function ellipse_series(start, highest) result(period)
       type(study_start_type), intent(in) :: start
       integer, intent(in) :: highest  !! 0, 1, 2

@@ -32,8 +32,8 @@ contains
       work%times = orbit%times(:, span)
       work%exact = orbit%positions(:, :, span)
       work%results = n_times
-      call measure(study, work, cell_type(question=span_questions(span), orbit=orbit%name, method=method, setting=setting, &
-         kind=kind))
+      call measure(study, work, cell_type(question=span_questions(span), orbit=orbit%name, method=method, &
+         setting=setting, kind=kind))
    end subroutine ask
 
    !> The greatest distance of a place from where it should be, relative to the length.

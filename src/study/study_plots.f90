@@ -18,8 +18,8 @@ module kyvadlo_study_plots
    end type series_type
 
    !> Colours of methods in the order in which they appear, well apart on white; ours come first.
-   character(len=*), parameter :: colours(*) = [character(len=7) :: '#d62728', '#1f77b4', '#2ca02c', '#9467bd', '#ff7f0e', &
-      '#17becf', '#8c564b', '#e377c2', '#7f7f7f', '#bcbd22', '#000080', '#006400']
+   character(len=*), parameter :: colours(*) = [character(len=7) :: '#d62728', '#1f77b4', '#2ca02c', '#9467bd', &
+      '#ff7f0e', '#17becf', '#8c564b', '#e377c2', '#7f7f7f', '#bcbd22', '#000080', '#006400']
 
    !> In points.
    integer, parameter :: panel_width = 320, panel_height = 270, head_height = 60
@@ -42,7 +42,8 @@ contains
       call list_series(study, question, series)
       columns = ceiling(sqrt(1.6*(size(orbits) + 1)))
       rows = (size(orbits) + columns)/columns
-      call sink%put('# Written by kyvadlo study; draws study_'//question//'.svg and study_'//question//'.png from study.csv.')
+      call sink%put('# Written by kyvadlo study; draws study_'//question//'.svg and study_'//question// &
+         '.png from study.csv.')
       call sink%put('# gnuplot study_'//question//'.gp')
       call sink%put("csv = './study.csv'")
       call sink%put("set datafile separator ','")
@@ -93,7 +94,8 @@ contains
       text = integer_text(panel_width*columns)//','//integer_text(panel_height*rows + head_height)
    end function page_size
 
-   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 72 for numbers and a title.
+   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 72 for
+   !> numbers and a title.
    function margins(rows, columns) result(text)
       integer, intent(in) :: rows, columns
       character(len=80) :: text
@@ -116,7 +118,8 @@ contains
       integer :: i, j
 
       call sink%put('set multiplot layout '//integer_text(rows)//','//integer_text(columns)//' title '// &
-         gnuplot_text(trim(question_title(question))//'; against nanoseconds a result')//' margins '//trim(margins(rows, columns)))
+         gnuplot_text(trim(question_title(question))//'; against nanoseconds a result')//' margins '// &
+         trim(margins(rows, columns)))
       do i = 1, size(orbits)
          call sink%put('set title '//gnuplot_text(trim(protected(orbits(i)%text))))
          call sink%put('plot \')

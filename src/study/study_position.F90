@@ -5,7 +5,8 @@ module kyvadlo_study_position
    use kyvadlo_study_closed_real32, only: ask_closed_form_real32 => ask_closed_form
    use kyvadlo_study_closed_real64, only: ask_closed_form, ask_theta_terms
 #ifndef KYVADLO_NO_REAL128
-   use kyvadlo_study_closed_real128, only: ask_closed_form_real128 => ask_closed_form, ask_theta_terms_real128 => ask_theta_terms
+   use kyvadlo_study_closed_real128, only: ask_closed_form_real128 => ask_closed_form, &
+      ask_theta_terms_real128 => ask_theta_terms
 #endif
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_study_integrators, only: ask_integrators
@@ -18,8 +19,9 @@ module kyvadlo_study_position
 
 contains
 
-   !> Adds the cells of the questions `position` and `position_1000` about one orbit. Error: the greatest distance from the
-   !> reference, relative to the length. Evaluations: of the right side by integrators; of the others terms, or places.
+   !> Adds the cells of the questions `position` and `position_1000` about one orbit. Error: the greatest distance from
+   !> the reference, relative to the length. Evaluations: of the right side by integrators; of the others terms, or
+   !> places.
    subroutine study_position(study, orbit)
       type(study_type), intent(inout) :: study
       type(study_orbit_type), intent(in) :: orbit

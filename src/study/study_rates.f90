@@ -1,5 +1,5 @@
-!> Newton's equations of the spherical pendulum as a user of an integrator would write them, with their Jacobians: in Cartesian
-!> coordinates, and in spherical ones with the angular momentum eliminated. For GSL.
+!> Newton's equations of the spherical pendulum as a user of an integrator would write them, with their Jacobians: in
+!> Cartesian coordinates, and in spherical ones with the angular momentum eliminated. For GSL.
 module kyvadlo_study_rates
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_ptr
    implicit none
@@ -66,7 +66,8 @@ contains
       if (t < 0) status = 1
    end function cartesian_jacobian
 
-   !> y = angle from the downward vertical, its rate, azimuth: angle'' = (c2/l**2)**2 cos/sin**3 - g/l sin, azimuth' = c2/(l sin)**2.
+   !> y = angle from the downward vertical, its rate, azimuth: angle'' = (c2/l**2)**2 cos/sin**3 - g/l sin, azimuth' =
+   !> c2/(l sin)**2.
    function spherical_rates(t, y, dydt, params) bind(c) result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dydt, params

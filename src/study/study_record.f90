@@ -23,7 +23,8 @@ module kyvadlo_study_record
       character(len=8) :: kind = ''         !! real32, real64, real128
       real(real64) :: error = 0             !! What it means is the question's
       real(real64) :: ns_median = 0, ns_low = 0, ns_high = 0 !! Nanoseconds a result: median, quartiles
-      integer(int64) :: evaluations = 0     !! In one pass: of the right side, the integrand ...; 0 where that means nothing
+      !> In one pass: of the right side, the integrand ...; 0 where that means nothing
+      integer(int64) :: evaluations = 0
       integer :: outcome = measured
    end type cell_type
 
@@ -79,7 +80,8 @@ module kyvadlo_study_record
    !> Measurements beyond this tell no more about the median.
    integer, parameter :: most_samples = 101
 
-   character(len=*), parameter :: csv_header = 'question,orbit,method,setting,kind,error,ns_median,ns_low,ns_high,evaluations'
+   character(len=*), &
+      parameter :: csv_header = 'question,orbit,method,setting,kind,error,ns_median,ns_low,ns_high,evaluations'
 
 contains
 
@@ -100,8 +102,9 @@ contains
       study%cells(study%count) = cell
    end subroutine add_cell
 
-   !> Times the work, takes its error and adds the cell, whose names are given. The first pass warms up and tells how long the
-   !> others will take; then passes are repeated for `study%seconds`, at least three unless they would outlast the cap.
+   !> Times the work, takes its error and adds the cell, whose names are given. The first pass warms up and tells how
+   !> long the others will take; then passes are repeated for `study%seconds`, at least three unless they would outlast
+   !> the cap.
    subroutine measure(study, work, cell)
       type(study_type), intent(inout) :: study
       class(work_type), intent(inout) :: work
@@ -209,8 +212,8 @@ contains
       case default
          numbers = 'failed,failed,failed,failed'
       end select
-      line = trim(cell%question)//','//csv_field(trim(cell%orbit))//','//trim(cell%method)//','//csv_field(trim(cell%setting))// &
-         ','//trim(cell%kind)//','//trim(numbers)
+      line = trim(cell%question)//','//csv_field(trim(cell%orbit))//','//trim(cell%method)//','// &
+         csv_field(trim(cell%setting))// ','//trim(cell%kind)//','//trim(numbers)
       write (numbers, '(i0)') cell%evaluations
       line = trim(line)//','//numbers
    end function csv_line

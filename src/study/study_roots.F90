@@ -13,7 +13,7 @@ module kyvadlo_study_roots
    public :: ask_roots, study_cubic_type, built_in_cubics, cubic_of_orbit
 
    integer, parameter :: q = real128
-#include "study_cubics.inc"
+   include 'study_cubics.inc'
 
    !> Cubics in a pass: all the same, which no compiler knows.
    integer, parameter :: copies = 8
@@ -122,7 +122,8 @@ contains
          work%cubics = cubic
          work%exact = cubic%of_cubic
          if (any(method == [by_energy_32, by_energy_64, by_energy_128])) work%exact = cubic%of_energy
-         call measure(study, work, cell_type(question='roots', orbit=cubic%name, method=name, setting=setting, kind=kind))
+         call measure(study, work, cell_type(question='roots', orbit=cubic%name, method=name, setting=setting, &
+            kind=kind))
          cell = study%cells(study%count)
          cell%question = 'gaps'
          work%asks_for_gaps = .true.
@@ -173,7 +174,8 @@ contains
       work%sink = work%sink + work%values(1, copies) + real(work%quads(1, copies), real64)
    end subroutine roots_pass
 
-   !> Roots: relative to the length, or to a root beyond it. Gaps: relative to themselves, but to the length where they are 0.
+   !> Roots: relative to the length, or to a root beyond it. Gaps: relative to themselves, but to the length where they
+   !> are 0.
    function roots_error(work) result(error)
       class(roots_work_type), intent(in) :: work
       real(real64) :: error

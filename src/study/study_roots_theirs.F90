@@ -54,7 +54,8 @@ contains
       real(real64), intent(out) :: roots(3)
       logical, intent(inout) :: has_failed
 #ifdef KYVADLO_WITH_GSL
-      real(real64) :: matrix(3, 3), imaginary(3), left(1, 1), right(1, 1), work(34*3)  ! 34 n is plenty: dhseqr asks for 11 n
+      ! 34 n is plenty: dhseqr asks for 11 n
+      real(real64) :: matrix(3, 3), imaginary(3), left(1, 1), right(1, 1), work(34*3)
       integer :: info
 
       matrix(1, :) = -coefficients

@@ -43,7 +43,8 @@ contains
       end do
       call write_kept(study, questions, sink)
       call write_missing(study, sink)
-      call sink%put("Of settings `"//without_set_up//"` the summary takes no notice: every method pays for its own set-up.")
+      call sink%put("Of settings `"//without_set_up// &
+         "` the summary takes no notice: every method pays for its own set-up.")
    end subroutine write_summary
 
    !> The question in words, and what its errors are.
@@ -98,8 +99,8 @@ contains
       end do
    end subroutine names_in
 
-   !> The cheapest two methods whose error is at most `accuracy`, each at its cheapest setting and kind: on one orbit, or on
-   !> every one of several, then by the geometric mean of their times.
+   !> The cheapest two methods whose error is at most `accuracy`, each at its cheapest setting and kind: on one orbit,
+   !> or on every one of several, then by the geometric mean of their times.
    function cheapest(study, question, orbits, accuracy) result(standing)
       type(study_type), intent(in) :: study
       character(len=*), intent(in) :: question
@@ -168,8 +169,8 @@ contains
          if (standing%first == '') then
             write (line, '(2x,es7.0e2,5x,a)') accuracies(i), 'no method on all'
          else if (standing%second == '') then
-            write (line, '(2x,es7.0e2,5x,a16,a12,2x,a)') accuracies(i), standing%first, number_text(standing%first_time), &
-               'no other on all'
+            write (line, '(2x,es7.0e2,5x,a16,a12,2x,a)') accuracies(i), standing%first, &
+               number_text(standing%first_time), 'no other on all'
          else
             write (line, '(2x,es7.0e2,5x,a16,a12,2x,a16,a10)') accuracies(i), standing%first, &
                number_text(standing%first_time), standing%second, ratio_text(standing%second_time/standing%first_time)
@@ -211,8 +212,8 @@ contains
       end do
    end subroutine write_by_orbit
 
-   !> Whether the closed form keeps the accuracies asked for, and what that saves: times as multiples of those of double precision
-   !> without an accuracy.
+   !> Whether the closed form keeps the accuracies asked for, and what that saves: times as multiples of those of double
+   !> precision without an accuracy.
    subroutine write_kept(study, questions, sink)
       type(study_type), intent(in) :: study
       type(text_type), intent(in) :: questions(:)
@@ -229,7 +230,8 @@ contains
          call sink%put('')
          call sink%put('closed_form to a stated accuracy. '//trim(question_title(questions(i)%text)))
          call sink%put('')
-         write (line, '(2x,a10,a14,2(a13,a11))') 'asked for ', 'worst error', 'ns', 'of double', without_set_up, 'of double'
+         write (line, '(2x,a10,a14,2(a13,a11))') 'asked for ', 'worst error', 'ns', 'of double', without_set_up, &
+            'of double'
          call sink%put(trim(line))
          full = 'batch'
          if (questions(i)%text == 'period') full = 'set-up'
@@ -237,8 +239,9 @@ contains
             associate (question => questions(i)%text, accuracy => asked(j)%text)
                time = mean_time(study, question, asking//accuracy, '')
                after = mean_time(study, question, 'to '//accuracy//' '//without_set_up, '')
-               write (line, '(2x,a10,a14,a13,a11)') accuracy//'         ', error_text(study, question, asking//accuracy), &
-                  number_text(time), times_text(time, mean_time(study, question, full, 'real64'))
+               write (line, '(2x,a10,a14,a13,a11)') accuracy//'         ', &
+                  error_text(study, question, asking//accuracy), number_text(time), &
+                  times_text(time, mean_time(study, question, full, 'real64'))
                if (after > 0) write (line(51:), '(a13,a11)') number_text(after), &
                   times_text(after, mean_time(study, question, full//' '//without_set_up, 'real64'))
             end associate

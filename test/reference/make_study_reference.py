@@ -3,19 +3,17 @@
 their turning heights, and what is exact about them; and study_functions.inc: arguments and values of elliptic functions.
 
 Every argument (length, gravity, gaps or rises, times) has at most 24 binary digits, so that all three kinds are asked the same
-question. The values are computed twice, with 60 and with 90 digits, by test/reference/exact_pendulum.py from the equations of the
+question. The values are computed twice, with 60 and with 90 digits, by exact_pendulum.py from the equations of the
 paper, and written with 40 (positions with 36 places). Needs mpmath and python-flint.
 """
 import pathlib
 import random
-import sys
 
+import exact_pendulum as exact
 import mpmath as mp
 from mpmath import mpf
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent/'test'/'reference'))
-import exact_pendulum as exact  # noqa: E402
 
 TIMES = 32      # of one period, and of the 1000th
 FAR = 999       # periods before the later times
