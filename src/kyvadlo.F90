@@ -27,7 +27,7 @@ module kyvadlo
       start_energy_above_bottom, start_release, start_state
    use kyvadlo_motion, only: height_period, modulus, complementary_modulus, quarter_period, nome, phase_rate, &
       azimuth_rate, azimuth_per_period, apsidal_advance, apsidal_angle, apsidal_rate, &
-      orbit_energy, orbit_momentum, &
+      orbit_energy, orbit_momentum, time_limit, &
       polar_angle_terms, height, rise, top_clearance, phase, periodic_azimuth, azimuth, vertical_speed, &
       azimuthal_speed, speed, locate, acceleration, rod_force
    use kyvadlo_string

@@ -13,7 +13,6 @@
 !>
 !> Grades 1 to 4 reduce the time by the period in plain real64, which limits the span.
 module kyvadlo_accuracy
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real32, real64
 #ifdef KYVADLO_NO_REAL128
    ! No wider kind here: what is said of it below is never reached.
@@ -28,7 +27,8 @@ module kyvadlo_accuracy
    use kyvadlo_batch_constants
    use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
-   use kyvadlo_orbit_real64, only: new_orbit_from_gaps, orbit_type
+   use kyvadlo_numbers_real64, only: is_nan, quiet_nan
+   use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_start, only: new_orbit, new_rough_orbit
    use kyvadlo_status, only: code_domain, error_type, fail
    implicit none
@@ -141,9 +141,13 @@ contains
 
       plan%accuracy = accuracy
       plan%span = span
-      if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
+      if (is_nan(accuracy)) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need an accuracy, got NaN')
+      else if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need '//text(finest_quad)//' <= accuracy <= '// &
             text(coarsest_accuracy)//', got '//text(accuracy))
+      else if (is_nan(span)) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need a span, got NaN')
       else if (.not. plan%span >= 0) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need span >= 0, got '//text(plan%span))
       end if
@@ -170,7 +174,7 @@ contains
       end do
       plan%bound = bounds(grade_full)
       ! Half periods are counted in whole numbers.
-      is_kept = plan%bound <= plan%accuracy .and. half_periods(plan%orbit, plan%span) <= 2/epsilon(1.0_real64)
+      is_kept = plan%bound <= plan%accuracy .and. half_periods(plan%orbit, plan%span) <= 1/epsilon(1.0_real64)
    end subroutine choose
 
    !> Leaves the harmonics above `highest` out of a kernel. In powers of u the highest power belongs to the highest harmonic
@@ -247,19 +251,18 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       plan%bound = finest_quad
-      if (half_periods(plan%orbit, plan%span) <= real(2/epsilon(1.0_real128), real64)) return
-      call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**113 half periods, got '// &
+      if (half_periods(plan%orbit, plan%span) <= real(1/epsilon(1.0_real128), real64)) return
+      call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**112 half periods, got '// &
          text(half_periods(plan%orbit, plan%span)))
    end subroutine check_wide
 
    !> NaN everywhere: nothing computed from a failed set-up can pass for a number.
    pure subroutine spoil(plan)
       type(accurate_orbit_type), intent(inout) :: plan
-      type(error_type), allocatable :: ignored
 
       if (allocated(plan%wide)) deallocate (plan%wide)
-      call new_orbit_from_gaps(plan%orbit, -1.0_real64, -1.0_real64, -1.0_real64, -1.0_real64, ignored)
-      plan%bound = ieee_value(plan%bound, ieee_quiet_nan)
+      plan%orbit = orbit_type()
+      plan%bound = quiet_nan
    end subroutine spoil
 
    !> What was chosen, for people, blanks behind: 'real32 vectors, harmonics 0 to 2'.

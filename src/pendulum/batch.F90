@@ -44,33 +44,7 @@ module kyvadlo_batch_real128
    use kyvadlo_motion_kinds
    use kyvadlo_pairs_real128
 #include "batch.inc"
-
-   !> Up to `block_size` points.
-   pure subroutine place_block(orbit, level, n, time, x, y, z, vx, vy, vz)
-      type(orbit_type), intent(in) :: orbit
-      integer, intent(in) :: level, n  !! The level is that of the real64 kernels: nothing to choose here
-      real(wp), intent(in) :: time(n)
-      real(wp), intent(out), dimension(n) :: x, y, z
-      real(wp), intent(out), dimension(n), optional :: vx, vy, vz
-      real(wp) :: position(3), velocity(3)
-      integer :: i
-
-      if (level < 0) return
-      do i = 1, n
-         if (present(vx)) then
-            call locate(orbit, time(i), position, velocity)
-         else
-            call locate(orbit, time(i), position)
-         end if
-         x(i) = position(1)
-         y(i) = position(2)
-         z(i) = position(3)
-         if (.not. present(vx)) cycle
-         vx(i) = velocity(1)
-         vy(i) = velocity(2)
-         vz(i) = velocity(3)
-      end do
-   end subroutine place_block
+#include "batch_block_scalar.inc"
 end module kyvadlo_batch_real128
 #endif
 

@@ -25,6 +25,8 @@ module kyvadlo_orbit_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
    use kyvadlo_motion_kinds
    use kyvadlo_gaps_real32
+   use kyvadlo_numbers_real32, only: quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan_cp => quiet_nan, infinity_cp => infinity
    use kyvadlo_batch_constants
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_pairs_real64
@@ -48,6 +50,8 @@ module kyvadlo_orbit_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
    use kyvadlo_motion_kinds
    use kyvadlo_gaps_real64
+   use kyvadlo_numbers_real64, only: quiet_nan
+   use kyvadlo_numbers_real64, only: quiet_nan_cp => quiet_nan, infinity_cp => infinity
    use kyvadlo_batch_constants
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_pairs_real64
@@ -72,6 +76,8 @@ module kyvadlo_orbit_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_motion_kinds
    use kyvadlo_gaps_real128
+   use kyvadlo_numbers_real128, only: quiet_nan
+   use kyvadlo_numbers_real128, only: quiet_nan_cp => quiet_nan, infinity_cp => infinity
    use kyvadlo_batch_constants
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_pairs_real128

@@ -3,8 +3,8 @@ module kyvadlo_periods
    use, intrinsic :: iso_fortran_env, only: real64
    use kyvadlo_batch_constants, only: block_size, group_size
    use kyvadlo_batch_kernel_single, only: period_point
-   use kyvadlo_batch_dispatch, only: vector_level, period_groups
-   use kyvadlo_numbers_real64, only: quiet_nan
+   use kyvadlo_batch_dispatch, only: any_time_beyond, vector_level, period_groups
+   use kyvadlo_numbers_real64, only: is_finite, quiet_nan
    use kyvadlo_threads, only: thread_count
    implicit none
    private
@@ -20,7 +20,11 @@ contains
       real(real64), intent(in) :: top_gap, bottom_gap  !! l - z1, l + z2 [m]
       real(real64) :: unit, factor
 
+      period = quiet_nan
+      ! == and /= never raise, also of NaN.
+      if (top_gap /= top_gap .or. bottom_gap /= bottom_gap) return
       call scale_lengths(length, gravity, unit, factor)
+      if (factor /= factor) return
       call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
    end function period_from_gaps
 
@@ -41,6 +45,10 @@ contains
          return
       end if
       call scale_lengths(length, gravity, unit, factor)
+      if (factor /= factor) then
+         period = quiet_nan
+         return
+      end if
       level = vector_level(highest_level)
       blocks = (orbits + block_size - 1)/block_size
       sharing = thread_count(threads, orbits, blocks)
@@ -60,16 +68,27 @@ contains
       subroutine fill_block(block)
          integer, intent(in) :: block
          real(real64), dimension(block_size) :: top, bottom, found
-         integer :: start, points
+         logical :: is_given(block_size), has_nan
+         integer :: start, last, points
 
          start = (block - 1)*block_size + 1
-         points = min(block_size, orbits - start + 1)
-         top(:points) = top_gap(start:start + points - 1)*unit
-         bottom(:points) = bottom_gap(start:start + points - 1)*unit
+         last = min(orbits, start + block_size - 1)
+         points = last - start + 1
+         top(:points) = top_gap(start:last)*unit
+         bottom(:points) = bottom_gap(start:last)*unit
          top(points + 1:) = length*unit
          bottom(points + 1:) = 0
+         has_nan = any_time_beyond(level, block_size, top, huge(top))
+         if (.not. has_nan) has_nan = any_time_beyond(level, block_size, bottom, huge(bottom))
+         if (has_nan) then
+            ! The kernels compare, which would raise.
+            is_given = is_finite(top) .and. is_finite(bottom)
+            top = merge(top, length*unit, is_given)
+            bottom = merge(bottom, 0.0_real64, is_given)
+         end if
          call period_groups(level, (points + group_size - 1)/group_size, length*unit, factor, top, bottom, found)
-         period(start:start + points - 1) = found(:points)
+         if (has_nan) found = merge(found, quiet_nan, is_given)
+         period(start:last) = found(:points)
       end subroutine fill_block
    end subroutine periods_from_gaps
 
@@ -80,10 +99,13 @@ contains
       real(real64), parameter :: root_two_pi = acos(-1.0_real64)*sqrt(2.0_real64)
       integer :: power
 
+      unit = 1
+      factor = quiet_nan
+      ! Without gravity, or with an infinite one, there is no period: the set-ups refuse both.
+      if (length /= length .or. gravity /= gravity) return
+      if (.not. (length > 0 .and. gravity > 0 .and. gravity <= huge(gravity))) return
       power = exponent(length)/2
       unit = scale(1.0_real64, -2*power)
       factor = root_two_pi*(length*unit)/sqrt(gravity)*scale(1.0_real64, power)
-      ! Without gravity, or with an infinite one, there is no period: the set-ups refuse both.
-      if (.not. (gravity > 0 .and. gravity <= huge(gravity))) factor = quiet_nan
    end subroutine scale_lengths
 end module kyvadlo_periods

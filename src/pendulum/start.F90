@@ -17,7 +17,7 @@ module kyvadlo_start_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
    use kyvadlo_gaps_real32, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
       gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real32, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_orbit_real32, only: orbit_type, set_up, new_orbit_from_release
    use kyvadlo_start_kinds
    use kyvadlo_state_real32
    use kyvadlo_status, only: error_type, fail, code_domain
@@ -28,7 +28,7 @@ module kyvadlo_start_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
    use kyvadlo_gaps_real64, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, gaps_from_energy, &
       energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_release
    use kyvadlo_start_kinds
    use kyvadlo_state_real64
    use kyvadlo_status, only: error_type, fail, code_domain
@@ -40,7 +40,7 @@ module kyvadlo_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_heights, gaps_from_gaps, gaps_from_rises, &
       gaps_from_energy, energy_is_total, energy_is_above_top, energy_is_above_bottom
-   use kyvadlo_orbit_real128, only: orbit_type, set_up, new_orbit_from_gaps, new_orbit_from_release
+   use kyvadlo_orbit_real128, only: orbit_type, set_up, new_orbit_from_release
    use kyvadlo_start_kinds
    use kyvadlo_state_real128
    use kyvadlo_status, only: error_type, fail, code_domain
