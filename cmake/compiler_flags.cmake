@@ -1,13 +1,30 @@
 # The flags of all our sources, as one interface target. Contraction and automatic vectorisation change the last digits
 # (gfortran -O3 silently takes libmvec's 3.4-ulp sine), so both are off except in declared batch kernels.
-set(kyvadlo_fortran_flags -std=f2018 -Wall -Wextra -Wimplicit-interface -Wno-maybe-uninitialized -Wno-compare-reals
-  -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)
-set(kyvadlo_c_flags -Wall -Wextra -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)
+set(kyvadlo_flags_GNU -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)
+set(kyvadlo_flags_LLVMFlang -ffp-contract=off)
+set(kyvadlo_flags_Clang -ffp-contract=off)
+set(kyvadlo_flags_AppleClang -ffp-contract=off)
+set(kyvadlo_flags_IntelLLVM -fp-model=precise -ffp-contract=off)
+set(kyvadlo_flags_NVHPC -Mnofma -Kieee)
+set(kyvadlo_fortran_flags ${kyvadlo_flags_${CMAKE_Fortran_COMPILER_ID}} ${kyvadlo_processor_flags})
+set(kyvadlo_c_flags ${kyvadlo_flags_${CMAKE_C_COMPILER_ID}} ${kyvadlo_processor_flags})
+if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
+  list(PREPEND kyvadlo_fortran_flags -std=f2018 -Wall -Wextra -Wimplicit-interface -Wno-maybe-uninitialized -Wno-compare-reals)
+elseif(NOT kyvadlo_flags_${CMAKE_Fortran_COMPILER_ID})
+  message(WARNING "kyvadlo does not know how to switch contraction (fused multiply-add) off in ${CMAKE_Fortran_COMPILER_ID}: "
+    "see cmake/compiler_flags.cmake, and believe the tests only")
+endif()
+if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+  list(PREPEND kyvadlo_c_flags -Wall -Wextra)
+endif()
 
 add_library(kyvadlo_flags INTERFACE)
 target_compile_options(kyvadlo_flags INTERFACE
-  $<$<COMPILE_LANG_AND_ID:Fortran,GNU>:${kyvadlo_fortran_flags}>
-  $<$<COMPILE_LANG_AND_ID:C,GNU>:${kyvadlo_c_flags}>)
+  $<$<COMPILE_LANGUAGE:Fortran>:${kyvadlo_fortran_flags}>
+  $<$<COMPILE_LANGUAGE:C>:${kyvadlo_c_flags}>)
+target_compile_definitions(kyvadlo_flags INTERFACE
+  $<$<NOT:$<BOOL:${KYVADLO_WITH_REAL128}>>:KYVADLO_NO_REAL128>
+  $<$<NOT:$<BOOL:${KYVADLO_HAS_INT128}>>:KYVADLO_NO_INT128>)
 
 # kyvadlo_batch_kernel(source flag...)
 #

@@ -1,6 +1,14 @@
 # cmake --install: libraries, program, module files, package files, licence.
 include(CMakePackageConfigHelpers)
 
+# All that is installed, for install_all_or_nothing.cmake and `./bootstrap table`.
+add_custom_target(kyvadlo_to_install)
+foreach(target kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo kyvadlo_slatec kyvadlo_driver kyvadlo_pages)
+  if(TARGET ${target})
+    add_dependencies(kyvadlo_to_install ${target})
+  endif()
+endforeach()
+
 # Module files can be read by the compiler that wrote them only, so they lie in a folder named after it.
 set(KYVADLO_MODDIR ${CMAKE_INSTALL_INCLUDEDIR}/kyvadlo/${CMAKE_Fortran_COMPILER_ID}-${CMAKE_Fortran_COMPILER_VERSION}
   CACHE STRING "Folder of the installed .mod files, relative to the prefix")

@@ -26,7 +26,7 @@ count=$(files . | wc -l)
 
 refuse 'path of one machine' '(^|[^A-Za-z0-9_.)])/(wor[k]|tm[p]/build|roo[t]|home)/[a-z.]' .
 refuse 'unfinished mark' '\b(TOD[O]|FIXM[E]|XX[X])\b' src test examples doc cmake bootstrap README.md CMakeLists.txt
-refuse 'fast-math' '-[O]fast|-ffast-mat[h]|-funsafe-mat[h]' bootstrap .ci cmake CMakeLists.txt CMakePresets.json src examples
+refuse 'fast-math' '^[^#].*(-[O]fast|-ffast-mat[h]|-funsafe-mat[h])' bootstrap .ci cmake/compiler_flags.cmake CMakeLists.txt CMakePresets.json src bench examples
 
 # Only the program prints or stops.
 refuse 'the library prints or stops' '^[^!'"'"'"]*\b((error )?stop\b|print *(\*|'"'"')|write *\( *\*)' \
