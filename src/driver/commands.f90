@@ -60,6 +60,8 @@ module kyvadlo_commands
       option_type('simulate', '--accuracy', 'A', 'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
       option_type('simulate', '--check', '', &
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
+      option_type('simulate', '--threads', 'N', &
+         'that share the work: they gain where cores are idle (default 1; 0: all there are)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &

@@ -81,7 +81,7 @@ contains
       seconds = huge(seconds)
       do i = 1, 5
          counter%bytes = 0
-         samples = new_csv_samples(counter)
+         samples = new_csv_samples(counter, threads=path%threads)
          call system_clock(start, rate)
          call simulate(simulation, path, samples, error)
          call system_clock(finish)

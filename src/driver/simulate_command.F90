@@ -1,6 +1,6 @@
 !> The command `simulate`: one scene, its samples as CSV or NetCDF, and a picture.
 module kyvadlo_simulate_command
-   use kyvadlo_command_line, only: arguments_type, option_given, option_value
+   use kyvadlo_command_line, only: arguments_type, integer_option, option_given, option_value
    use kyvadlo_explain_scene, only: explain_scene
    use kyvadlo_kinds, only: wp => real64
 #ifdef KYVADLO_WITH_NETCDF
@@ -45,6 +45,7 @@ contains
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy)
+      if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
@@ -192,9 +193,9 @@ contains
       logical :: shows
 
       if (option_given(arguments, '--events')) then
-         lines = new_csv_samples(output, events)
+         lines = new_csv_samples(output, events, path%threads)
       else
-         lines = new_csv_samples(output)
+         lines = new_csv_samples(output, threads=path%threads)
       end if
       samples => null()
       if (wants_samples(arguments)) samples => lines

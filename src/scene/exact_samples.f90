@@ -2,7 +2,7 @@
 module kyvadlo_exact_samples
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use kyvadlo
-   use kyvadlo_accuracy, only: accurate_orbit_type, locate_batch
+   use kyvadlo_accuracy, only: locate_batch
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_quantities
    use kyvadlo_sample_block, only: block_samples, block_type
@@ -66,7 +66,7 @@ contains
 
       associate (n => block%count, column => block%column)
          if (allocated(path%plan)) then
-            call place_to_accuracy(path%plan, block)
+            call place_to_accuracy(path, block)
          else
             call place_samples(path%orbit, block%values(:n, 1), 1, block)
          end if
@@ -98,17 +98,18 @@ contains
    end subroutine place_samples
 
    !> Places, and velocities if needed, to an accuracy.
-   subroutine place_to_accuracy(plan, block)
-      type(accurate_orbit_type), intent(in) :: plan
+   subroutine place_to_accuracy(path, block)
+      type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
 
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
          v => block%column(quantity_velocity))
          if (v > 0) then
-            call locate_batch(plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), values(:n, v), &
-               values(:n, v + 1), values(:n, v + 2))
+            call locate_batch(path%plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), values(:n, v), &
+               values(:n, v + 1), values(:n, v + 2), threads=path%threads)
          else if (p > 0) then
-            call locate_batch(plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2))
+            call locate_batch(path%plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), &
+               threads=path%threads)
          end if
       end associate
    end subroutine place_to_accuracy

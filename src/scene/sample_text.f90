@@ -5,6 +5,7 @@ module kyvadlo_sample_text
    use kyvadlo_number_text, only: padded_shortest, shortest_text
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
    use kyvadlo_text, only: text_sink_type, text_type
+   use kyvadlo_threads, only: thread_count
    implicit none
    private
    public :: csv_samples_type, new_csv_samples, event_head, event_row
@@ -16,6 +17,7 @@ module kyvadlo_sample_text
       class(text_sink_type), pointer :: lines => null()
       class(text_sink_type), pointer :: events => null()     !! Not associated: events become comment lines
       type(text_type), allocatable :: strips(:)              !! Buffers
+      integer :: threads = 1                                 !! 0: as many as OpenMP offers
    contains
       procedure :: begin => begin_csv
       procedure :: take => take_csv
@@ -30,12 +32,14 @@ module kyvadlo_sample_text
 contains
 
    !> Lines to a sink that must outlive the result; events to another one if it is given.
-   function new_csv_samples(lines, events) result(sink)
+   function new_csv_samples(lines, events, threads) result(sink)
       class(text_sink_type), intent(in), target :: lines
       class(text_sink_type), intent(in), target, optional :: events
+      integer, intent(in), optional :: threads  !! To share the lines of a long block: 1 if absent; 0 as many as OpenMP offers
       type(csv_samples_type) :: sink
 
       sink%lines => lines
+      if (present(threads)) sink%threads = threads
       if (present(events)) sink%events => events
    end function new_csv_samples
 
@@ -58,11 +62,12 @@ contains
       real(wp), intent(in) :: values(:, :)
       logical, intent(out) :: goes_on
       integer :: used((size(values, 1) + strip_size - 1)/strip_size)
-      integer :: strip
+      integer :: strip, sharing
 
       goes_on = .true.
       call make_room(sink, size(used), size(values, 2))
-      !$omp parallel do schedule(dynamic) if(size(used) > 1)
+      sharing = thread_count(sink%threads, size(values, 1), size(used))
+      !$omp parallel do schedule(dynamic) num_threads(sharing) if(sharing > 1)
       do strip = 1, size(used)
          call write_lines(values(strip_size*(strip - 1) + 1:min(strip_size*strip, size(values, 1)), :), &
             sink%strips(strip)%text, used(strip))
@@ -145,7 +150,7 @@ contains
 
       call put_shortest(value, buffer(used + 1:), length)
       if (length == 0 .and. value == value) then
-         text = padded_shortest(value)
+         text = padded_shortest(value + 0.0_wp)  ! zero without a sign
          length = len_trim(text)
          buffer(used + 1:used + length) = text
       end if

@@ -37,6 +37,7 @@ module kyvadlo_simulation_path
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
       real(wp) :: tolerance = 0                 !! Of a step of `path_integrated`
+      integer :: threads = 1                    !! That share a long block; 0: as many as OpenMP offers
       character(len=:), allocatable :: method   !! In words
       character(len=:), allocatable :: reason   !! In words
    end type path_type

@@ -75,9 +75,9 @@ cat >long.nml <<'END'
 &pendulum length=1, z_upper=0.3, z_lower=-0.8 /
 &output duration=1000, samples=100000 /
 END
-OMP_NUM_THREADS=1 run simulate long.nml
+run simulate long.nml
 mv out one
-OMP_NUM_THREADS=4 run simulate long.nml --output four
+run simulate long.nml --threads 4 --output four
 checks=$((checks + 1))
 cmp -s one four || complain 'the number of threads must not matter'
 checks=$((checks + 1))
