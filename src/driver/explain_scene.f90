@@ -43,8 +43,12 @@ contains
       all = real(simulation%settings%samples, wp)
       call message('path:     '//path%method)
       call message('because:  '//path%reason)
-      if (path%path == path_string) call message('events:   '//integer_text(size(path%string%events)))
-      if (path%path == path_integrated) call message('accuracy: '//digits_text(path%tolerance, 2)//', error of a step')
+      if (path%path == path_string) call message('events:   '//integer_text(size(path%events)))
+      if (path%path == path_integrated) then
+         call message('accuracy: '//digits_text(path%tolerance, 2)//', error of a step')
+         call message('steps:    about '//trim(digits_text(path%steps, 2))//' of at most '//trim(digits_text(path%most_steps, 2)) &
+            //' (--most-steps)')
+      end if
       call message('columns: '//names)
       call message('samples:  '//counted(simulation%settings%samples)//' over '//digits_text(path%duration, 6)//' s')
 
@@ -60,7 +64,7 @@ contains
       end do
       seconds = seconds/trial%settings%samples
       bytes = bytes/trial%settings%samples
-      call message('cost:     '//integer_text(nint(1e9_wp*seconds))//' ns a sample, '//digits_text(all*seconds, 3) &
+      call message('cost:     '//trim(digits_text(1e9_wp*seconds, 3))//' ns a sample, '//digits_text(all*seconds, 3) &
          //' s in all, measured on the first '//counted(trial%settings%samples))
       call message('output:   '//integer_text(nint(bytes))//' bytes a sample as CSV, '//digits_text(all*bytes/2**20, 3) &
          //' MiB in all')

@@ -34,44 +34,50 @@ contains
       type(simulation_type) :: simulation
       type(path_type) :: path
       type(run_files_type) :: files
-      real(wp), allocatable :: accuracy
+      real(wp), allocatable :: accuracy, most_steps
 
       if (size(arguments%operands) /= 1) then
          call fail(error, code_input, 'simulate needs one scene file, or - for standard input')
          return
       end if
-      call check_options(arguments, accuracy, error)
+      call check_options(arguments, error)
+      if (.not. allocated(error)) call number_option(arguments, '--accuracy', 0.1_wp, 'above 0, at most 0.1', accuracy, error)
+      if (.not. allocated(error)) call number_option(arguments, '--most-steps', 1e15_wp, 'above 0, at most 1e15', most_steps, error)
       if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
-      if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy)
+      if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
       if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command
 
-   !> What can be said of the options before anything is written.
-   subroutine check_options(arguments, accuracy, error)
+   !> A number above 0 that an option gives; how small it may be depends on the path.
+   subroutine number_option(arguments, name, largest, range, value, error)
       type(arguments_type), intent(in) :: arguments
-      real(wp), allocatable, intent(out) :: accuracy          !! Not allocated: none asked for
+      character(len=*), intent(in) :: name, range
+      real(wp), intent(in) :: largest
+      real(wp), allocatable, intent(out) :: value             !! Not allocated: not given
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: what, text
+
+      if (.not. option_given(arguments, name)) return
+      allocate (value)
+      text = option_value(arguments, name, '')
+      call read_number(text, value, what)
+      if (.not. allocated(what) .and. .not. (value > 0 .and. value <= largest)) what = 'out of range'
+      if (allocated(what)) call fail(error, code_input, 'option '//name//' must be a number '//range//", got '"//shown(text) &
+         //"' ("//what//')')
+   end subroutine number_option
+
+   !> What else can be said of the options before anything is written.
+   subroutine check_options(arguments, error)
+      type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: files(2) = [character(len=8) :: '--output', '--events']
-      character(len=:), allocatable :: what, text
       integer :: i
 
-      if (option_given(arguments, '--accuracy')) then
-         allocate (accuracy)
-         text = option_value(arguments, '--accuracy', '')
-         call read_number(text, accuracy, what)
-         ! How fine it may be, depends on the path.
-         if (.not. allocated(what) .and. .not. (accuracy > 0 .and. accuracy <= 0.1_wp)) what = 'out of range'
-         if (allocated(what)) then
-            call fail(error, code_input, "option --accuracy must be a number above 0, at most 0.1, got '"//shown(text)//"' (" &
-               //what//')')
-            return
-         end if
-      end if
       do i = 1, size(files)
          if (option_given(arguments, trim(files(i))) .and. option_value(arguments, trim(files(i)), '') == '') then
             call fail(error, code_input, 'option '//trim(files(i))//' needs the name of a file')

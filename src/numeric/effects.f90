@@ -1,8 +1,8 @@
 !> What may act on a real pendulum besides gravity and a rigid rod: one value, in which zero means off. doc/effects.md says how
 !> each effect works and how they combine.
 module kyvadlo_effects
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain
    implicit none
    private
@@ -68,7 +68,7 @@ contains
          call fail(error, code_domain, 'effects: restitution must lie between 0 and 1')
       else if (.not. effects%density_ratio < 1) then
          call fail(error, code_domain, 'effects: density_ratio must be below 1, or the bob floats')
-      else if (.not. all(ieee_is_finite([effects%wind, effects%turn_rate, effects%pivot_amplitude, effects%pivot_frequency, &
+      else if (.not. all(is_finite([effects%wind, effects%turn_rate, effects%pivot_amplitude, effects%pivot_frequency, &
             effects%pivot_phase]))) then
          call fail(error, code_domain, 'effects: wind, turn rate and motion of the pivot must be finite')
       else if (allocated(effects%pivot_times) .neqv. allocated(effects%pivot_curvatures)) then
@@ -83,7 +83,7 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       character(len=24) :: got
 
-      if (allocated(error) .or. value >= 0 .and. ieee_is_finite(value)) return
+      if (allocated(error) .or. value >= 0 .and. is_finite(value)) return
       write (got, '(es24.16)') value
       call fail(error, code_domain, 'effects: '//name//' must not be negative, got '//trim(adjustl(got)))
    end subroutine refuse_negative

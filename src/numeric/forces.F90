@@ -6,8 +6,8 @@
 !> rest in the turning frame that of the added mass is balanced by the lift of the fluid's vorticity (T. R. Auton,
 !> J. C. R. Hunt and M. Prud'homme, J. Fluid Mech. 197 (1988) 241).
 module kyvadlo_forces
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_effects, only: effects_type, check_effects, has_drag, has_moving_pivot
    use kyvadlo_buoyancy, only: effective_inertia, effective_weight
@@ -40,7 +40,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=50) :: got
 
-      if (.not. (length > 0 .and. gravity > 0 .and. ieee_is_finite(length) .and. ieee_is_finite(gravity))) then
+      if (.not. (length > 0 .and. gravity > 0 .and. is_finite(length) .and. is_finite(gravity))) then
          write (got, '(2es25.16)') length, gravity
          call fail(error, code_domain, 'forces: length and gravity must be positive and finite, got'//got)
          return

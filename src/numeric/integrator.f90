@@ -8,24 +8,31 @@
 !> step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies the
 !> equations of motion within the tolerance, and else from a step of their own.
 module kyvadlo_integrator
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite, quiet_nan_real64
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type
    use kyvadlo_forces, only: forces_type, move, new_forces
    use kyvadlo_pivot, only: next_knot
-   use kyvadlo_suspension, only: put_on_surface, stretch
+   use kyvadlo_integration_start, only: begin_motion
+   use kyvadlo_suspension, only: put_on_surface
    use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, defect_to_velocity, &
       interpolate, nodes, prepare
    use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
-   use kyvadlo_string, only: string_event_type
+   use kyvadlo_string, only: event_slack, string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
    use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
    implicit none
    private
    public :: integration_type, new_integration, advance, finish, integrate
+   public :: failure_request, failure_short_step, failure_events, failure_steps
 
+   !> Why `advance` failed.
+   integer, parameter :: failure_request = 1      !! It was called wrongly
+   integer, parameter :: failure_short_step = 2   !! No step is short enough: the motion is singular there, or too stiff
+   integer, parameter :: failure_events = 3       !! The string went slack too often
+   integer, parameter :: failure_steps = 4        !! More steps than `most_steps`
    integer, parameter :: unknown = 0, by_polynomial = 1, by_steps = 2
 
    !> A run in progress. Read the public components; change none, and do not copy a run.
@@ -34,6 +41,9 @@ module kyvadlo_integrator
       integer :: event_count = 0                       !! Places are relative to the pivot
       integer(int64) :: steps = 0, rejected = 0        !! Steps taken, and steps repeated
       integer(int64) :: interpolated = 0, stepped = 0  !! Samples between steps, by polynomial and by a step of their own
+      integer :: failure = 0                           !! One of the `failure_*` constants after an error of `advance`
+      real(wp) :: time = 0                             !! How far the integration got [s]
+      real(wp) :: most_steps = huge(1.0_wp)            !! Taken and repeated; more fail
       type(stepper_type), private :: stepper
       type(contact_type), private :: contact
       type(interpolant_type), private :: interpolant
@@ -65,13 +75,12 @@ contains
    !> A start at time 0. The tolerance is that of the error of a step, in units of the length and of
    !> sqrt(gravity length + squares of the speeds of start, wind and pivot).
    !>
-   !> A start off the surface of the suspension fails; with extra lengths it is moved to the nearest point of the surface
-   !> and a radial velocity is left out, an elastic pendulum may start anywhere.
+   !> Where it may start says `begin_motion`; a string that is slack at the start has its first event there.
    !>
    !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of a bob at
    !> rest there that nothing moves yet.
    subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, with_azimuth, &
-         azimuth)
+         azimuth, most_steps)
       type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
@@ -81,8 +90,9 @@ contains
       logical, intent(in), optional :: with_work        !! .false.: works are not wanted, and zero (default .true.)
       logical, intent(in), optional :: with_azimuth     !! Turns are counted, for `azimuths` of `advance` (default .false.)
       real(wp), intent(in), optional :: azimuth         !! Of the direction in which it will leave the axis [rad]
+      real(wp), intent(in), optional :: most_steps      !! More steps, taken and repeated, fail
       type(forces_type) :: forces
-      real(wp) :: p(3), v(3), distance, outward(3), bending, acceleration(3), tension, powers(2)
+      real(wp) :: p(3), v(3), slack
       logical :: is_taut, wants_work
 
       call finish(run)
@@ -92,54 +102,62 @@ contains
       v = velocity
       if (.not. (tolerance >= 1e-15_wp .and. tolerance <= 0.1_wp)) then
          call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1, got'//listed([tolerance]))
-      else if (.not. (all(ieee_is_finite(position)) .and. all(ieee_is_finite(velocity)))) then
-         call fail(error, code_domain, 'integrate: position and velocity must be finite, got'//listed([position, velocity]))
       else if (allocated(effects%pivot_times)) then
          if (effects%pivot_times(1) > 0) &
             call fail(error, code_domain, 'integrate: the table of the pivot must begin at time 0 or before')
          run%ends = effects%pivot_times(size(effects%pivot_times))
       end if
-      if (.not. allocated(error) .and. .not. forces%is_elastic) then
-         if (forces%suspension%is_sphere .and. .not. abs(norm2(position) - length) <= 1e-12_wp*length) then
-            call fail(error, code_domain, 'integrate: the start must lie on the sphere, got the distance and the length'// &
-               listed([norm2(position), length]))
-         else
-            call put_on_surface(forces%suspension, p, v)
-         end if
-      end if
       if (allocated(error)) return
+      call begin_motion(forces, p, v, is_taut, slack, error)
+      if (allocated(error)) then
+         error%message = 'integrate: '//error%message
+         return
+      end if
 
       wants_work = .true.
       if (present(with_work)) wants_work = with_work
       if (present(with_azimuth)) run%with_azimuth = with_azimuth
+      if (present(most_steps)) run%most_steps = most_steps
       run%tolerance = tolerance
       run%unit_length = length
       run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
          0.0_wp, forces%has_drag) + pivot_speed(effects)**2)
-      run%contact%unit_speed = sqrt(gravity*length)
-      is_taut = .true.
-      call stretch(forces%suspension, p, v, distance, outward, bending)
-      call move(forces, .true., 0.0_wp, p, v, acceleration, tension, powers)
-      if (effects%is_string) is_taut = tension >= 0
-      run%azimuth = ieee_value(tension, ieee_quiet_nan)
-      if (present(azimuth)) run%azimuth = azimuth
-      if (is_upright(p(1), p(2)) .and. is_upright(v(1), v(2))) then
-         if (.not. is_taut) call move(forces, .false., 0.0_wp, p, v, acceleration, tension, powers)
-         ! Of what rounding leaves of accelerations that balance nothing follows.
-         if (maxval(abs(acceleration(:2))) > 64*epsilon(tension)*(gravity + norm2(effects%pivot_amplitude &
-            *effects%pivot_frequency**2))) run%azimuth = atan2(acceleration(2), acceleration(1))
-      else
-         run%azimuth = turned_azimuth(p(1), p(2), v(1), v(2), ieee_value(tension, ieee_quiet_nan))
+      ! Under the gravity of the closed form.
+      run%contact%unit_speed = sqrt(forces%weight/forces%inertia*length)
+      call begin_azimuth(run, forces, is_taut, p, v, azimuth)
+      call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
+         run%unit_speed**2], first_step*sqrt(length/gravity))
+      allocate (run%events(8))
+      if (.not. is_taut) then
+         call append(run, string_event_type(kind=event_slack, position=p))
+         run%stepper%problem%slack = slack
+         call count_from_here(run)
+      end if
+      call note_step(run)
+   end subroutine new_integration
+
+   !> The azimuth at the start.
+   subroutine begin_azimuth(run, forces, is_taut, position, velocity, azimuth)
+      type(integration_type), intent(inout) :: run
+      type(forces_type), intent(inout) :: forces
+      logical, intent(in) :: is_taut
+      real(wp), intent(in) :: position(3), velocity(3)
+      real(wp), intent(in), optional :: azimuth
+      real(wp) :: acceleration(3), tension, powers(2), rounding
+
+      run%azimuth = turned_azimuth(position(1), position(2), velocity(1), velocity(2), quiet_nan_real64)
+      if (is_upright(position(1), position(2)) .and. is_upright(velocity(1), velocity(2))) then
+         if (present(azimuth)) run%azimuth = azimuth
+         call move(forces, is_taut, 0.0_wp, position, velocity, acceleration, tension, powers)
+         ! What is left of accelerations that balance has no direction.
+         associate (effects => forces%effects)
+            rounding = 64*epsilon(tension)*(forces%weight + norm2(effects%pivot_amplitude*effects%pivot_frequency**2))
+         end associate
+         if (maxval(abs(acceleration(:2))) > rounding) run%azimuth = atan2(acceleration(2), acceleration(1))
       end if
       run%azimuth_before = run%azimuth
       run%first_azimuth = run%azimuth
-      call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
-         run%unit_speed**2], first_step*sqrt(length/gravity))
-      if (.not. is_taut .and. forces%is_elastic) run%stepper%problem%slack = (forces%suspension%radius**2 - distance**2)/2
-      if (.not. is_taut) call count_from_here(run)
-      allocate (run%events(8))
-      call note_step(run)
-   end subroutine new_integration
+   end subroutine begin_azimuth
 
    !> In flight places are counted from where it began.
    subroutine count_from_here(run)
@@ -160,30 +178,17 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(out), optional :: azimuths(:)             !! (n) turns counted from step to step [rad]
       real(wp) :: gap
-      logical :: failed
       integer :: i
 
       do i = 1, size(times)
-         if (.not. associated(run%stepper%problem)) then
-            call fail(error, code_domain, 'integrate: the run has not begun')
-         else if (.not. (times(i) >= run%last_time .and. ieee_is_finite(times(i)))) then
-            call fail(error, code_domain, 'integrate: the times must ascend from 0, got'//listed([run%last_time, times(i)]))
-         else if (times(i) > run%ends) then
-            call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'//listed([run%ends]))
-         end if
+         call check_time(run, times(i), error)
          if (allocated(error)) exit
          gap = times(i) - run%last_time
-         failed = .false.
-         do while (run%stepper%time < times(i) .and. run%event_count <= most_events .and. .not. failed)
-            call next_step(run, times(i), gap, failed)
+         do while (run%stepper%time < times(i) .and. run%failure == 0)
+            call next_step(run, times(i), gap)
          end do
-         if (failed) then
-            call fail(error, code_unsupported, 'integrate: no step is short enough at the time'//listed([run%stepper%time])// &
-               '; a larger tolerance may help, or the motion is singular there')
-         else if (run%event_count > most_events) then
-            call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'// &
-               listed([run%stepper%time]))
-         end if
+         run%time = run%stepper%time
+         call tell_failure(run, error)
          if (allocated(error)) exit
          call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
          if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), velocities(1, i), &
@@ -191,15 +196,48 @@ contains
          run%last_time = times(i)
       end do
       if (.not. allocated(error)) return
-      positions(:, i:) = ieee_value(gap, ieee_quiet_nan)
-      velocities(:, i:) = ieee_value(gap, ieee_quiet_nan)
-      tensions(i:) = ieee_value(gap, ieee_quiet_nan)
-      drag_work(i:) = ieee_value(gap, ieee_quiet_nan)
-      pivot_work(i:) = ieee_value(gap, ieee_quiet_nan)
-      if (present(azimuths)) azimuths(i:) = ieee_value(gap, ieee_quiet_nan)
+      positions(:, i:) = quiet_nan_real64
+      velocities(:, i:) = quiet_nan_real64
+      tensions(i:) = quiet_nan_real64
+      drag_work(i:) = quiet_nan_real64
+      pivot_work(i:) = quiet_nan_real64
+      if (present(azimuths)) azimuths(i:) = quiet_nan_real64
    end subroutine advance
 
-   !> Gives the memory back.
+   !> Whether a time may be asked for.
+   subroutine check_time(run, time, error)
+      type(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: time
+      type(error_type), allocatable, intent(out) :: error
+
+      if (run%failure == failure_request) run%failure = 0
+      if (.not. associated(run%stepper%problem)) then
+         call fail(error, code_domain, 'integrate: the run has not begun')
+      else if (.not. (time >= run%last_time .and. is_finite(time))) then
+         call fail(error, code_domain, 'integrate: the times must ascend from 0, got'//listed([run%last_time, time]))
+      else if (time > run%ends) then
+         call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'//listed([run%ends]))
+      end if
+      if (allocated(error)) run%failure = failure_request
+   end subroutine check_time
+
+   !> An error for a run that went wrong.
+   subroutine tell_failure(run, error)
+      type(integration_type), intent(in) :: run
+      type(error_type), allocatable, intent(out) :: error
+
+      select case (run%failure)
+      case (failure_short_step)
+         call fail(error, code_unsupported, 'integrate: no step is short enough at the time'//listed([run%time])// &
+            '; a larger tolerance may help, or the motion is singular there')
+      case (failure_events)
+         call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'//listed([run%time]))
+      case (failure_steps)
+         call fail(error, code_unsupported, 'integrate: the steps came to an end at the time'//listed([run%time]))
+      end select
+   end subroutine tell_failure
+
+   !> Frees the memory.
    subroutine finish(run)
       type(integration_type), intent(inout) :: run
 
@@ -216,18 +254,19 @@ contains
 
    !> One step. It ends at the time asked for if that is the only one in it; if the next may be expected in it too it goes
    !> its own way, so that where the samples lie has no part in the steps.
-   subroutine next_step(run, target, gap, failed)
+   subroutine next_step(run, target, gap)
       type(integration_type), intent(inout) :: run
       real(wp), intent(in) :: target, gap
-      logical, intent(out) :: failed
       type(string_event_type) :: event
       real(wp) :: limit, knot
-      logical :: is_far
+      logical :: is_far, failed
 
       associate (stepper => run%stepper)
          if (run%has_contact) then
             call make_contact(stepper, run%contact, event)
             call append(run, event)
+            if (run%event_count > most_events) run%failure = failure_events
+            if (run%failure > 0) return
             call clear(run%interpolant)
             call note_step(run)
             run%has_contact = .false.
@@ -243,7 +282,9 @@ contains
          ! Where samples are far apart no polynomial is wanted.
          is_far = gap > 2*stepper%next
          call take_step(stepper, limit, failed)
-         if (failed) return
+         if (failed) run%failure = failure_short_step
+         if (real(run%steps, wp) + stepper%rejected >= run%most_steps) run%failure = failure_steps
+         if (run%failure > 0) return
          if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
          run%is_at_knot = stepper%time >= knot
          if (run%with_azimuth) call turn_azimuth(run)
@@ -421,10 +462,10 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(integration_type) :: run
 
-      drag_work = ieee_value(drag_work, ieee_quiet_nan)
+      drag_work = quiet_nan_real64
       pivot_work = drag_work
       tensions = drag_work
-      positions = ieee_value(positions, ieee_quiet_nan)
+      positions = quiet_nan_real64
       velocities = positions
       call new_integration(run, effects, length, gravity, start_position, start_velocity, tolerance, error)
       if (.not. allocated(error)) &

@@ -1,8 +1,8 @@
 !> The spline through a table of the pivot's displacements, laid by GSL.
 module kyvadlo_pivot_table
    use, intrinsic :: iso_c_binding, only: c_int, c_size_t
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type
    use kyvadlo_gsl, only: fgsl_spline, fgsl_spline_alloc, fgsl_spline_free, fgsl_spline_init, fgsl_spline_eval_deriv2_e, &
@@ -32,7 +32,7 @@ contains
          call fail(error, code_domain, 'pivot table: at least 3 times are needed, got '//trim(got))
       else if (size(displacements, 1) /= 3 .or. size(displacements, 2) /= n) then
          call fail(error, code_domain, 'pivot table: every time needs three displacements')
-      else if (.not. (all(ieee_is_finite(times)) .and. all(ieee_is_finite(displacements)))) then
+      else if (.not. (all(is_finite(times)) .and. all(is_finite(displacements)))) then
          call fail(error, code_domain, 'pivot table: times and displacements must be finite')
       else
          do k = 2, n

@@ -49,7 +49,7 @@ contains
       at_low = margin_after(stepper, low)
       if (low <= 0 .or. at_low < 0) then
          ! A flight begins with no margin: a short stretch of it has one.
-         call shrink(stepper, high, low, at_low)
+         call shrink(stepper, low, high, at_low, at_high)
       end if
       if (at_low > 0) then
          root = root_between(stepper, low, high, at_low, at_high)
@@ -165,10 +165,10 @@ contains
    end function margin_between
 
    !> Halves the stretch from the start of the step until there is margin at its end.
-   subroutine shrink(stepper, high, low, at_low)
+   subroutine shrink(stepper, low, high, at_low, at_high)
       type(stepper_type), intent(in) :: stepper
-      real(wp), intent(inout) :: high
       real(wp), intent(out) :: low, at_low
+      real(wp), intent(inout) :: high, at_high
       integer :: i
 
       low = high
@@ -177,6 +177,7 @@ contains
          at_low = margin_after(stepper, low)
          if (at_low > 0) return
          high = low
+         at_high = at_low
       end do
    end subroutine shrink
 

@@ -4,8 +4,8 @@
 !> freely until it is a length away from the pivot again. There it loses its radial velocity, or gets it back reversed and
 !> times the coefficient of restitution, and swings on, or flies on.
 module kyvadlo_string
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite, quiet_nan_real64
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_cubic, only: cubic_roots
    use kyvadlo_orbit, only: orbit_type
@@ -14,7 +14,7 @@ module kyvadlo_string
    use kyvadlo_passage, only: time_to_height
    implicit none
    private
-   public :: string_motion_type, string_piece_type, string_event_type, new_string_motion, locate_on_string
+   public :: string_motion_type, string_piece_type, string_event_type, new_string_motion, locate_on_string, string_starts_in_flight
    public :: event_slack, event_taut, event_rebound, event_end_of_rattling
 
    integer, parameter :: event_slack = 1            !! The tension vanishes, the bob leaves the sphere
@@ -29,6 +29,7 @@ module kyvadlo_string
       type(orbit_type) :: orbit          !! If taut: the swing, its time counted from `start`
       real(wp) :: position(3) = 0        !! At `start` [m]
       real(wp) :: velocity(3) = 0        !! At `start` [m/s]
+      real(wp) :: depth = 0              !! Of a flight: (l**2 - |position|**2)/2, not zero only where the motion starts [m2]
    end type string_piece_type
 
    !> What happened between two pieces.
@@ -51,17 +52,19 @@ module kyvadlo_string
    !> Rebounds end, as if inelastic, when the radial speed is below this part of sqrt(g l): the bob then would come off by
    !> less than its square, an epsilon of the length.
    real(wp), parameter :: rattling = sqrt(epsilon(1.0_wp))
+   !> A start further off the sphere, or with a larger part of its speed inwards, begins a flight: as in kyvadlo_gaps.
+   real(wp), parameter :: most_off = 1e-3_wp
    !> A motion of more pieces than this is cut and says so.
    integer, parameter :: most_events = 100000
 
 contains
 
-   !> Follows the bob from a start on the sphere for a duration, event by event.
+   !> Follows the bob from a start on or in the sphere for a duration, event by event.
    pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error)
       type(string_motion_type), intent(out) :: motion
       real(wp), intent(in) :: length, gravity         !! l [m], g [m/s2]
-      real(wp), intent(in) :: position(3)             !! At t = 0, on the sphere [m]
-      real(wp), intent(in) :: velocity(3)             !! At t = 0, tangential [m/s]
+      real(wp), intent(in) :: position(3)             !! At t = 0 [m]
+      real(wp), intent(in) :: velocity(3)             !! At t = 0, on the sphere not outwards [m/s]
       real(wp), intent(in) :: restitution             !! Of the radial speed at re-tension, 0 (inelastic) to 1
       real(wp), intent(in) :: duration                !! Events after it are left out [s]
       type(error_type), allocatable, intent(out) :: error
@@ -78,11 +81,16 @@ contains
          call fail(error, code_domain, 'string: restitution must lie between 0 and 1, got '//trim(adjustl(got)))
          return
       end if
-      ! The set-up checks the rest, and puts the start exactly on the sphere.
-      call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error)
-      if (allocated(error)) return
-      call locate(piece%orbit, 0.0_wp, piece%position, piece%velocity)
-      piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+      if (string_starts_in_flight(length, position, velocity)) then
+         call begin_flight(piece, length, gravity, position, velocity, error)
+         if (allocated(error)) return
+      else
+         ! The set-up checks the rest, and puts the start exactly on the sphere.
+         call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error)
+         if (allocated(error)) return
+         call locate(piece%orbit, 0.0_wp, piece%position, piece%velocity)
+         piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+      end if
 
       count = 0
       do
@@ -106,6 +114,41 @@ contains
       motion%until = merge(duration, piece%start, motion%is_complete)
    end subroutine new_string_motion
 
+   !> Whether a string is slack because its bob starts inside the sphere or moves inwards. (On the sphere it may be slack because it
+   !> is slow.)
+   pure logical function string_starts_in_flight(length, position, velocity)
+      real(wp), intent(in) :: length, position(3), velocity(3)
+
+      string_starts_in_flight = norm2(position) < (1 - most_off)*length .or. &
+         dot_product(position, velocity) < -most_off*norm2(velocity)*norm2(position)
+   end function string_starts_in_flight
+
+   !> The flight from a start in the sphere, or on it and inwards.
+   pure subroutine begin_flight(piece, length, gravity, position, velocity, error)
+      type(string_piece_type), intent(out) :: piece
+      real(wp), intent(in) :: length, gravity, position(3), velocity(3)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: radius
+
+      radius = norm2(position)
+      if (.not. (length > 0 .and. gravity > 0 .and. is_finite(length) .and. is_finite(gravity))) then
+         call fail(error, code_domain, 'string: length and gravity must be positive and finite')
+      else if (.not. all(is_finite([position, velocity]))) then
+         call fail(error, code_domain, 'string: position and velocity must be finite')
+      else if (.not. radius <= (1 + most_off)*length) then
+         call fail(error, code_domain, 'string: the position must not lie outside the sphere')
+      end if
+      if (allocated(error)) return
+      piece%is_taut = .false.
+      piece%position = position
+      piece%velocity = velocity
+      if (radius >= (1 - most_off)*length) then
+         piece%position = position*(length/radius)
+      else
+         piece%depth = (length - radius)*(length + radius)/2
+      end if
+   end subroutine begin_flight
+
    !> The end of a taut piece: the flight that follows. The event's time is NaN if the string stays taut.
    pure subroutine leave(motion, piece, event)
       type(string_motion_type), intent(in) :: motion
@@ -121,7 +164,7 @@ contains
       call locate(piece%orbit, after, event%position, piece%velocity)
       if (.not. piece%velocity(3) > 0) then
          ! A swing that only touches zero tension at its highest point stays taut.
-         event%time = ieee_value(after, ieee_quiet_nan)
+         event%time = quiet_nan_real64
          return
       end if
       piece%position = event%position
@@ -150,6 +193,7 @@ contains
       radial = dot_product(piece%velocity, outward)
       piece%velocity = piece%velocity - radial*outward
       piece%position = event%position
+      piece%depth = 0
       piece%start = event%time
       if (restitution*radial > rattling*sqrt(motion%gravity*motion%length)) then
          event%kind = event_rebound
@@ -172,6 +216,10 @@ contains
       real(wp) :: roots(3), inward, slack, scale_of_speed
       integer :: count, i
 
+      if (piece%depth > 0) then
+         after = time_from_inside(motion%gravity, piece)
+         return
+      end if
       associate (g => motion%gravity, v => piece%velocity)
          inward = 2*dot_product(piece%position, v)
          slack = dot_product(v, v) - g*piece%position(3)
@@ -181,12 +229,65 @@ contains
          ! A flight from zero tension has v**2 = g z up to rounding.
          if (abs(inward) <= 0 .and. abs(slack) <= 64*epsilon(g)*scale_of_speed) slack = 0
          call cubic_roots(g**2/4, -g*v(3), slack, inward, roots, count)
-         after = ieee_value(after, ieee_quiet_nan)
+         after = quiet_nan_real64
          do i = count, 1, -1
             if (roots(i) > 0) after = roots(i)
          end do
       end associate
    end function flight_time
+
+   !> The first time at which a flight from inside the sphere meets it: the first root of h = depth - p.v t - (v**2 - g z) t**2/2
+   !> + g vz t**3/2 - g**2 t**4/8, between two of its stationary points, by bisection that Newton's method cuts short.
+   pure real(wp) function time_from_inside(gravity, piece) result(after)
+      real(wp), intent(in) :: gravity
+      type(string_piece_type), intent(in) :: piece
+      real(wp) :: roots(3), low, high, next, value, slope, a(4)
+      integer :: count, i
+      integer, parameter :: most_halvings = 4*digits(1.0_wp)
+
+      associate (g => gravity, p => piece%position, v => piece%velocity)
+         a = [dot_product(p, v), (dot_product(v, v) - g*p(3))/2, -g*v(3)/2, g**2/8]
+         call cubic_roots(4*a(4), 3*a(3), 2*a(2), a(1), roots, count)
+      end associate
+      low = 0
+      do i = 1, count
+         if (.not. roots(i) > 0) cycle
+         if (inside(roots(i)) < 0) exit
+         low = roots(i)
+      end do
+      if (i <= count) then
+         high = roots(i)
+      else
+         ! Beyond the last stationary point it falls.
+         high = max(2*low, sqrt(sqrt(piece%depth/a(4))))
+         do while (inside(high) > 0)
+            high = 2*high
+         end do
+      end if
+      after = (low + high)/2
+      do i = 1, most_halvings
+         value = inside(after)
+         if (value > 0) then
+            low = after
+         else
+            high = after
+         end if
+         slope = -(a(1) + after*(2*a(2) + after*(3*a(3) + after*4*a(4))))
+         next = (low + high)/2
+         if (slope < 0) next = after - value/slope
+         if (.not. (next > low .and. next < high)) next = (low + high)/2
+         if (abs(next - after) <= epsilon(after)*after .or. high - low <= epsilon(after)*high) exit
+         after = next
+      end do
+
+   contains
+
+      pure real(wp) function inside(t)
+         real(wp), intent(in) :: t
+
+         inside = piece%depth - t*(a(1) + t*(a(2) + t*(a(3) + t*a(4))))
+      end function inside
+   end function time_from_inside
 
    !> Position, velocity and tension over mass at a time within the motion; NaN outside it, and of a motion that failed.
    pure subroutine locate_on_string(motion, time, position, velocity, tension)
@@ -199,7 +300,7 @@ contains
       real(wp) :: since
 
       if (.not. (time >= 0 .and. time <= motion%until)) then
-         tension = ieee_value(tension, ieee_quiet_nan)
+         tension = quiet_nan_real64
          position = tension
          velocity = tension
          return

@@ -1,9 +1,9 @@
 !> Samples of motions in closed form: at rest, on one orbit, on a string that goes slack.
 module kyvadlo_exact_samples
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use kyvadlo
    use kyvadlo_accuracy, only: locate_batch
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities
    use kyvadlo_sample_block, only: block_samples, block_type
    use kyvadlo_sample_times, only: last_before
@@ -32,7 +32,7 @@ contains
             path%inertia*rod_force(path%orbit, 0.0_wp)
          ! It has none.
          if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
-            ieee_value(1.0_wp, ieee_quiet_nan)
+            quiet_nan_real64
       end associate
       call fill_constants(path, block)
    end subroutine fill_constant
@@ -182,7 +182,7 @@ contains
       type(string_motion_type), intent(in) :: string
       integer :: i
 
-      azimuth = ieee_value(azimuth, ieee_quiet_nan)
+      azimuth = quiet_nan_real64
       do i = 1, size(string%pieces)
          associate (p => string%pieces(i)%position, v => string%pieces(i)%velocity)
             azimuth = turned_azimuth(p(1), p(2), v(1), v(2), azimuth)

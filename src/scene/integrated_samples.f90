@@ -1,10 +1,9 @@
 !> Samples of an integrated scene; beside it, on request, the same at a tenth of the tolerance.
 module kyvadlo_integrated_samples
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use kyvadlo_forces, only: mechanical_energy
    use kyvadlo_integrator, only: advance, finish, integration_type, new_integration
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_motion, only: locate
+   use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities
    use kyvadlo_sample_block, only: block_samples, block_type
    use kyvadlo_simulation_path, only: check_type, path_type
@@ -32,30 +31,28 @@ contains
       type(block_type), intent(in) :: block
       logical, intent(in) :: is_checked                       !! A second run at a tenth of the tolerance is compared
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: position(3), velocity(3), azimuth
+      real(wp) :: azimuth
       logical :: with_work, with_azimuth
 
-      call locate(path%orbit, 0.0_wp, position, velocity)
       with_work = any(block%column([quantity_drag_work, quantity_pivot_work]) > 0)
       with_azimuth = block%column(quantity_azimuth) > 0
       allocate (integrated%positions(3, block_samples), integrated%velocities(3, block_samples))
-      azimuth = ieee_value(azimuth, ieee_quiet_nan)
-      if (with_azimuth .and. is_upright(position(1), position(2)) .and. is_upright(velocity(1), velocity(2))) &
-         call look_ahead(path, position, velocity, azimuth, error)
+      azimuth = quiet_nan_real64
+      if (with_azimuth .and. all(is_upright([path%position(1), path%velocity(1)], [path%position(2), path%velocity(2)]))) &
+         call look_ahead(path, azimuth, error)
       if (allocated(error)) return
-      call new_integration(integrated%run, path%effects, path%length, path%gravity, position, velocity, path%tolerance, &
-         error, with_work, with_azimuth, azimuth)
+      call new_integration(integrated%run, path%effects, path%length, path%gravity, path%position, path%velocity, &
+         path%tolerance, error, with_work, with_azimuth, azimuth, path%most_steps)
       integrated%is_checked = is_checked
       if (allocated(error) .or. .not. is_checked) return
       allocate (integrated%other_positions(3, block_samples), integrated%other_velocities(3, block_samples))
-      call new_integration(integrated%finer, path%effects, path%length, path%gravity, position, velocity, &
-         path%tolerance/10, error, .false.)
+      call new_integration(integrated%finer, path%effects, path%length, path%gravity, path%position, path%velocity, &
+         path%tolerance/10, error, .false., most_steps=2*path%most_steps)
    end subroutine begin_integration
 
    !> The azimuth of the direction in which a bob at rest on the axis will leave it; NaN if it never does.
-   subroutine look_ahead(path, position, velocity, azimuth, error)
+   subroutine look_ahead(path, azimuth, error)
       type(path_type), intent(in) :: path
-      real(wp), intent(in) :: position(3), velocity(3)
       real(wp), intent(out) :: azimuth                        !! [rad]
       type(error_type), allocatable, intent(out) :: error
       type(integration_type) :: run
@@ -64,8 +61,8 @@ contains
       integer, parameter :: looks = 100
       integer :: i
 
-      call new_integration(run, path%effects, path%length, path%gravity, position, velocity, path%tolerance, error, .false., &
-         .true.)
+      call new_integration(run, path%effects, path%length, path%gravity, path%position, path%velocity, path%tolerance, error, &
+         .false., .true., most_steps=path%most_steps)
       do i = 1, looks
          if (allocated(error) .or. run%first_azimuth == run%first_azimuth) exit
          call advance(run, [path%duration*(real(i, wp)/looks)], there, moving, tension, drag_work, pivot_work, error)

@@ -5,6 +5,7 @@
 #define moment_type moment_type_real32
 module kyvadlo_moment_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
+   use kyvadlo_numbers_real32, only: quiet_nan
 #include "moment.inc"
 end module kyvadlo_moment_real32
 #undef orbit_type
@@ -12,6 +13,7 @@ end module kyvadlo_moment_real32
 
 module kyvadlo_moment_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "moment.inc"
 end module kyvadlo_moment_real64
 
@@ -21,6 +23,7 @@ end module kyvadlo_moment_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_moment_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
+   use kyvadlo_numbers_real128, only: quiet_nan
 #include "moment.inc"
 end module kyvadlo_moment_real128
 #endif

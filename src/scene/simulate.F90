@@ -3,14 +3,17 @@ module kyvadlo_simulate
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
 #ifdef KYVADLO_WITH_GSL
+   use kyvadlo_integrator, only: failure_events, failure_short_step, failure_steps
    use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, integrated_type
 #endif
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_namelist_file, only: place_of
+   use kyvadlo_number_text, only: digits_text, shortest_text
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_sample_block
    use kyvadlo_sample_times, only: last_before, set_times
    use kyvadlo_samples, only: sample_sink_type, scene_event_type
-   use kyvadlo_scene_groups, only: moving_pivot_group, turning_frame_group
+   use kyvadlo_scene_groups, only: moving_pivot_group, string_group, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
    use kyvadlo_status, only: error_type
@@ -72,7 +75,7 @@ contains
          call fill_speed(block)
          select case (path%path)
          case (path_string)
-            call hand_over(simulation, path, block, path%string%events, sink, noted, goes_on)
+            call hand_over(simulation, path, block, path%events, sink, noted, goes_on)
 #ifdef KYVADLO_WITH_GSL
          case (path_integrated)
             call hand_over(simulation, path, block, integrated%run%events(:integrated%run%event_count), sink, noted, goes_on)
@@ -83,13 +86,39 @@ contains
          first = first + block%count
       end do
 #ifdef KYVADLO_WITH_GSL
-      if (allocated(error)) error%message = simulation%settings%file//': '//error%message
+      if (allocated(error)) call explain_failure(simulation, path, integrated, error)
       if (path%path == path_integrated) then
          if (present(check)) check = integrated%check
          call end_integration(integrated)
       end if
 #endif
    end subroutine simulate
+
+#ifdef KYVADLO_WITH_GSL
+   !> What of the scene made an integration fail.
+   subroutine explain_failure(simulation, path, integrated, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(integrated_type), intent(in) :: integrated
+      type(error_type), allocatable, intent(inout) :: error
+
+      associate (settings => simulation%settings, run => integrated%run)
+         select case (run%failure)
+         case (failure_short_step)
+            error%message = path%hardest//'no step is short enough at t = '//shortest_text(run%time) &
+               //' s; the motion is singular there, or too fast for the accuracy (option --accuracy)'
+         case (failure_steps)
+            error%message = path%hardest//'the integration got to t = '//shortest_text(run%time)//' s in ' &
+               //trim(digits_text(path%most_steps, 2))//' steps (option --most-steps); shorten &output duration'
+         case (failure_events)
+            error%message = place_of(settings%file, settings%line(string_group)) &
+               //'&string: too many events, by t = '//shortest_text(run%time)//' s; shorten &output duration'
+         case default
+            error%message = settings%file//': '//error%message
+         end select
+      end associate
+   end subroutine explain_failure
+#endif
 
    !> Whether what is shown moves with the pivot.
    pure logical function in_laboratory(simulation)

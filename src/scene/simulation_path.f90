@@ -4,6 +4,8 @@ module kyvadlo_simulation_path
    use kyvadlo_accuracy, only: accurate_orbit_type, choice_text, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
+   use kyvadlo_forces, only: forces_type, new_forces
+   use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
@@ -12,8 +14,10 @@ module kyvadlo_simulation_path
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_simulation, only: simulation_type
-   use kyvadlo_number_text, only: shortest_text
+   use kyvadlo_number_text, only: digits_text, shortest_text
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
+   use kyvadlo_step_forecast, only: cause_start, forecast_steps
    use kyvadlo_version, only: with_gsl
    implicit none
    private
@@ -33,11 +37,16 @@ module kyvadlo_simulation_path
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
       type(string_motion_type) :: string        !! Of `path_string`
+      type(string_event_type), allocatable :: events(:) !! Of `path_string`, with one at the start if the string is slack there
+      real(wp) :: position(3) = 0, velocity(3) = 0 !! At the start, relative to the pivot [m], [m/s]
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
       real(wp) :: tolerance = 0                 !! Of a step of `path_integrated`
       integer :: threads = 1                    !! That share a long block; 0: as many as OpenMP offers
+      real(wp) :: steps = 0                     !! Of it, about
+      real(wp) :: most_steps = 0                !! It may take
+      character(len=:), allocatable :: hardest  !! What asks for the most steps: file, line and group
       character(len=:), allocatable :: method   !! In words
       character(len=:), allocatable :: reason   !! In words
    end type path_type
@@ -53,21 +62,24 @@ module kyvadlo_simulation_path
       anisotropic_support_group]
    !> Without an accuracy asked for: some ten steps a swing, and 1e-10 of the length after a hundred of them.
    real(wp), parameter :: default_tolerance = 1e-12_wp
+   !> Steps of an integration without another bound: some ten seconds to a minute.
+   real(wp), parameter :: default_most_steps = 1e7_wp
    real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
 
    !> Chooses the cheapest path that is exact, and integration only for what has no closed form.
    !>
-   !> Errors: a start that determines no orbit; effects in a build without an integrator; a string with more events than
-   !> `new_string_motion` follows.
-   subroutine choose_path(simulation, path, error, accuracy)
+   !> Errors: a start that determines no orbit; effects in a build without an integrator; an integration of more than
+   !> `most_steps`; a string with more events than `new_string_motion` follows; an accuracy that cannot be kept.
+   subroutine choose_path(simulation, path, error, accuracy, most_steps)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(out) :: path
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
+      real(wp), intent(in), optional :: most_steps     !! Of an integration (default 1e7)
       type(pendulum_type) :: pendulum
-      real(wp) :: position(3), velocity(3), displacement(3)
+      logical :: has_orbit
 
       associate (settings => simulation%settings)
          pendulum = simulation%pendulum
@@ -76,39 +88,21 @@ contains
          path%gravity = simulation%pendulum%gravity
          path%tolerance = default_tolerance
          if (present(accuracy)) path%tolerance = accuracy
+         path%most_steps = default_most_steps
+         if (present(most_steps)) path%most_steps = most_steps
          path%inertia = effective_inertia(settings%density_ratio, settings%added_mass)
-         call pendulum_orbit(pendulum, path%orbit, error)
-         if (allocated(error)) return
-         path%duration = settings%duration
-         if (.not. path%duration > 0) path%duration = default_duration(path%orbit)
-
          call effects_of(simulation, path%effects, error)
+         if (.not. allocated(error)) call find_start(simulation, pendulum, path, has_orbit, error)
+         if (.not. allocated(error)) call check_table(simulation, path, error)
          if (allocated(error)) return
-         call check_table(simulation, path, error)
-         if (allocated(error)) return
-         if (.not. any_effect(path%effects)) then
-            call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
-            path%pivot_energy = effective_weight(path%gravity, settings%density_ratio)*displacement(3)
-         end if
          if (any_effect(path%effects)) then
-            if (.not. with_gsl) then
-               call fail(error, code_unsupported, place_of(settings%file, maxval(settings%line(integrated))) &
-                  //'this build has no integrator (CMake option KYVADLO_WITH_GSL) for '//integrated_groups(simulation))
-               return
-            end if
-            path%path = path_integrated
-            path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
-            path%reason = trim(integrated_groups(simulation))//': no closed form'
+            call choose_integration(simulation, path, error)
+         else if (.not. has_orbit) then
+            path%reason = '&string is slack at the start'
+            call follow_string(simulation, pendulum, path, present(accuracy), error)
          else if (settings%given(string_group) .and. lowest_tension(path%orbit) < 0) then
-            path%path = path_string
-            path%method = 'closed forms of swings on the sphere and free flights, event by event'
             path%reason = '&string goes slack: its tension would be negative at the upper turning height'
-            call locate(path%orbit, 0.0_wp, position, velocity)
-            call new_string_motion(path%string, pendulum%length, pendulum%gravity, position, velocity, settings%restitution, &
-               path%duration, error)
-            if (allocated(error)) return
-            if (.not. path%string%is_complete) call fail(error, code_unsupported, place_of(settings%file, &
-               settings%line(string_group))//'&string: too many events before the end of the duration; shorten it')
+            call follow_string(simulation, pendulum, path, present(accuracy), error)
          else if (path%orbit%motion == motion_rest .or. path%orbit%motion == motion_upright) then
             path%path = path_constant
             path%method = 'the start, repeated'
@@ -124,6 +118,127 @@ contains
          end if
       end associate
    end subroutine choose_path
+
+   !> Where the bob starts: on an orbit, or where only a string that is slack or a suspension of another form lets it be. The
+   !> duration too, which is a period without one.
+   subroutine find_start(simulation, pendulum, path, has_orbit, error)
+      type(simulation_type), intent(in) :: simulation
+      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
+      type(path_type), intent(inout) :: path
+      logical, intent(out) :: has_orbit
+      type(error_type), allocatable, intent(out) :: error
+      type(error_type), allocatable :: no_orbit
+      type(forces_type) :: forces
+      logical :: is_taut, is_free
+      real(wp) :: slack, displacement(3), velocity(3)
+
+      associate (effects => path%effects, settings => simulation%settings)
+         call pendulum_orbit(pendulum, path%orbit, no_orbit)
+         has_orbit = .not. allocated(no_orbit)
+         if (has_orbit) call locate(path%orbit, 0.0_wp, path%position, path%velocity)
+         is_free = .false.
+         if (pendulum%start == start_state) then
+            is_free = effects%stiffness > 0 .or. any(effects%extra_length > 0)
+            if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, pendulum%first, pendulum%second)
+         end if
+         if (is_free) then
+            has_orbit = .false.
+            path%position = pendulum%first
+            path%velocity = pendulum%second
+         else if (.not. has_orbit) then
+            call move_alloc(no_orbit, error)
+            return
+         end if
+         path%duration = settings%duration
+         if (.not. path%duration > 0) then
+            path%duration = 2*pi*sqrt(pendulum%length/pendulum%gravity)
+            if (path%orbit%motion /= motion_none) path%duration = default_duration(path%orbit)
+         end if
+         if (.not. any_effect(effects)) then
+            call pivot_motion(effects, 0.0_wp, displacement, velocity)
+            path%pivot_energy = effective_weight(path%gravity, settings%density_ratio)*displacement(3)
+         end if
+         if (.not. is_free .and. .not. any(effects%extra_length > 0)) return
+         call new_forces(forces, effects, path%length, path%gravity, error)
+         if (.not. allocated(error)) call begin_motion(forces, path%position, path%velocity, is_taut, slack, error)
+         if (allocated(error)) error%message = place_of(pendulum%file, pendulum%start_line)//'&pendulum: '//error%message
+      end associate
+   end subroutine find_start
+
+   !> Integration, if it comes to an end.
+   subroutine choose_integration(simulation, path, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(inout) :: path
+      type(error_type), allocatable, intent(out) :: error
+      !> The groups behind the `cause_*` constants; 0: &pendulum.
+      integer, parameter :: groups(*) = [0, 0, air_group, wind_group, earth_rotation_group, moving_pivot_group, elastic_group]
+      integer :: cause
+
+      associate (settings => simulation%settings)
+         if (.not. with_gsl) then
+            call fail(error, code_unsupported, place_of(settings%file, maxval(settings%line(integrated))) &
+               //'this build has no integrator (CMake option KYVADLO_WITH_GSL) for '//integrated_groups(simulation))
+            return
+         end if
+         path%path = path_integrated
+         path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
+         path%reason = trim(integrated_groups(simulation))//': no closed form'
+         call forecast_steps(path%effects, path%length, path%gravity, norm2(path%velocity), path%duration, path%tolerance, &
+            path%steps, cause)
+         if (groups(cause) > 0) then
+            path%hardest = place_of(settings%file, settings%line(groups(cause)))//'&'//trim(group_names(groups(cause)))//': '
+         else
+            path%hardest = place_of(settings%file, merge(simulation%pendulum%start_line, simulation%pendulum%line, &
+               cause == cause_start))//'&pendulum: '
+         end if
+         if (path%steps <= path%most_steps) return
+         call fail(error, code_unsupported, path%hardest//'the integration over '//trim(digits_text(path%duration, 4)) &
+            //' s would take '//trim(step_words(path%steps))//', more than '//trim(digits_text(path%most_steps, 2)) &
+            //' (option --most-steps); shorten &output duration')
+      end associate
+   end subroutine choose_integration
+
+   !> `about 1.2e+09 steps`.
+   pure function step_words(steps) result(words)
+      real(wp), intent(in) :: steps
+      character(len=40) :: words
+
+      words = 'more steps than there are numbers'
+      if (is_finite(steps)) words = 'about '//trim(digits_text(steps, 2))//' steps'
+   end function step_words
+
+   !> Swings and flights, event by event.
+   subroutine follow_string(simulation, pendulum, path, has_accuracy, error)
+      type(simulation_type), intent(in) :: simulation
+      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
+      type(path_type), intent(inout) :: path
+      logical, intent(in) :: has_accuracy
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (settings => simulation%settings)
+         path%path = path_string
+         path%method = 'closed forms of swings on the sphere and free flights, event by event'
+         if (has_accuracy) then
+            ! What an event is off by grows with every one that follows.
+            call fail(error, code_unsupported, place_of(settings%file, settings%line(string_group))//'&string: the string goes ' &
+               //'slack, and from event to event no accuracy can be promised; leave --accuracy out for all digits of double ' &
+               //'precision')
+            return
+         end if
+         call new_string_motion(path%string, pendulum%length, pendulum%gravity, path%position, path%velocity, &
+            settings%restitution, path%duration, error)
+         if (allocated(error)) then
+            error%message = place_of(pendulum%file, pendulum%start_line)//'&pendulum: '//error%message
+            return
+         end if
+         if (.not. path%string%is_complete) call fail(error, code_unsupported, place_of(settings%file, &
+            settings%line(string_group))//'&string: too many events before the end of the duration; shorten it')
+         path%events = path%string%events
+         associate (first => path%string%pieces(1))
+            if (.not. first%is_taut) path%events = [string_event_type(0.0_wp, event_slack, first%position, 0.0_wp), path%events]
+         end associate
+      end associate
+   end subroutine follow_string
 
    !> A table of the pivot must cover the duration.
    subroutine check_table(simulation, path, error)
