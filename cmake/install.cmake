@@ -16,7 +16,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/kyvadlo)
 
 set(installed_targets kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo)
 foreach(target IN LISTS installed_targets)
-  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${KYVADLO_MODDIR}>)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/modules/${target}/ DESTINATION ${KYVADLO_MODDIR} FILES_MATCHING PATTERN "*.mod")
 endforeach()

@@ -55,10 +55,14 @@ void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, do
 
 /* ---- Orbits ------------------------------------------------------------------------------------------------------- */
 
-#define KYVADLO_ORBIT_SIZE 288
+#define KYVADLO_ORBIT_SIZE 225
 
-/* An orbit. Its contents belong to the version of the library that made it. */
+/* An orbit. Its contents belong to the version of the library that made it: a checksum guards them, and of a struct that was never
+   set up, or changed, every function answers NaN or a code. It may be copied as a whole. */
 typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
+
+/* 1 if the struct holds an orbit as a set-up left it, else 0. */
+int kyvadlo_is_set_up(const kyvadlo_orbit *orbit);
 
 /* sizeof(kyvadlo_orbit), for languages that do not read this file. */
 size_t kyvadlo_orbit_bytes(void);
@@ -87,10 +91,10 @@ int kyvadlo_orbit_from_rises(double length, double gravity, double upper_rise, d
 int kyvadlo_orbit_from_energy(double length, double gravity, double energy, double momentum,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 /* c1 - g l [m2/s2] and c2 [m2/s]. */
-int kyvadlo_orbit_from_energy_above_top(double length, double gravity, double energy_above_top, double momentum,
+int kyvadlo_orbit_from_energy_above_top(double length, double gravity, double energy, double momentum,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 /* c1 + g l [m2/s2] and c2 [m2/s]. */
-int kyvadlo_orbit_from_energy_above_bottom(double length, double gravity, double energy_above_bottom, double momentum,
+int kyvadlo_orbit_from_energy_above_bottom(double length, double gravity, double energy, double momentum,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 /* Angle from the downward vertical [degrees], horizontal speed across [m/s]. */
 int kyvadlo_orbit_from_release(double length, double gravity, double angle, double speed,

@@ -216,7 +216,7 @@ contains
    end subroutine find_rates
 
    !> dy/dt for GSL.
-   function right_side(t, y, dydt, params) bind(c) result(status)
+   function right_side(t, y, dydt, params) bind(c, name='') result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dydt, params
       integer(c_int) :: status

@@ -2,6 +2,7 @@
 #define kernel_grade 0
 module kyvadlo_batch_kernel_v4
    use kyvadlo_batch_constants
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4
 #undef kernel_grade
@@ -9,6 +10,7 @@ end module kyvadlo_batch_kernel_v4
 #define kernel_grade 1
 module kyvadlo_batch_kernel_v4_1
    use kyvadlo_batch_constants
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_1
 #undef kernel_grade
@@ -16,6 +18,7 @@ end module kyvadlo_batch_kernel_v4_1
 #define kernel_grade 2
 module kyvadlo_batch_kernel_v4_2
    use kyvadlo_batch_constants
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_2
 #undef kernel_grade
@@ -23,6 +26,7 @@ end module kyvadlo_batch_kernel_v4_2
 #define kernel_grade 3
 module kyvadlo_batch_kernel_v4_3
    use kyvadlo_batch_constants
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_3
 #undef kernel_grade
@@ -30,6 +34,7 @@ end module kyvadlo_batch_kernel_v4_3
 #define kernel_grade 4
 module kyvadlo_batch_kernel_v4_4
    use kyvadlo_batch_constants
+   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4_4
 #undef kernel_grade

@@ -166,7 +166,7 @@ contains
 #endif
 
    !> One node, for GSL.
-   function integrand(x, params) bind(c) result(value)
+   function integrand(x, params) bind(c, name='') result(value)
       real(c_double), value :: x
       type(c_ptr), value :: params
       real(c_double) :: value

@@ -15,7 +15,7 @@ module kyvadlo_study_rates
 contains
 
    !> y = x, y, z [m] and their rates [m/s]. The rod's force is what keeps p.p'' + v.v = 0.
-   function cartesian_rates(t, y, dydt, params) bind(c) result(status)
+   function cartesian_rates(t, y, dydt, params) bind(c, name='') result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dydt, params
       integer(c_int) :: status
@@ -37,7 +37,7 @@ contains
    end function cartesian_rates
 
    !> Row by row.
-   function cartesian_jacobian(t, y, dfdy, dfdt, params) bind(c) result(status)
+   function cartesian_jacobian(t, y, dfdy, dfdt, params) bind(c, name='') result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dfdy, dfdt, params
       integer(c_int) :: status
@@ -68,7 +68,7 @@ contains
 
    !> y = angle from the downward vertical, its rate, azimuth: angle'' = (c2/l**2)**2 cos/sin**3 - g/l sin, azimuth' =
    !> c2/(l sin)**2.
-   function spherical_rates(t, y, dydt, params) bind(c) result(status)
+   function spherical_rates(t, y, dydt, params) bind(c, name='') result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dydt, params
       integer(c_int) :: status
@@ -90,7 +90,7 @@ contains
    end function spherical_rates
 
    !> Row by row.
-   function spherical_jacobian(t, y, dfdy, dfdt, params) bind(c) result(status)
+   function spherical_jacobian(t, y, dfdy, dfdt, params) bind(c, name='') result(status)
       real(c_double), value :: t
       type(c_ptr), value :: y, dfdy, dfdt, params
       integer(c_int) :: status

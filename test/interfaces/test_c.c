@@ -3,6 +3,8 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int failures = 0, passes = 0;
@@ -20,6 +22,72 @@ static void check(int condition, const char *what)
 static int near(double a, double b, double tolerance)
 {
   return fabs(a - b) <= tolerance;
+}
+
+/* Every answer of an orbit; how many are not NaN. */
+static int answers(const kyvadlo_orbit *orbit)
+{
+  static double (*const constants[])(const kyvadlo_orbit *) = {kyvadlo_height_period, kyvadlo_modulus,
+    kyvadlo_complementary_modulus, kyvadlo_quarter_period, kyvadlo_nome, kyvadlo_phase_rate, kyvadlo_azimuth_rate,
+    kyvadlo_azimuth_per_period, kyvadlo_apsidal_advance, kyvadlo_apsidal_angle, kyvadlo_orbit_energy, kyvadlo_orbit_momentum};
+  static double (*const functions[])(const kyvadlo_orbit *, double) = {kyvadlo_height, kyvadlo_rise, kyvadlo_top_clearance,
+    kyvadlo_azimuth, kyvadlo_vertical_speed, kyvadlo_azimuthal_speed, kyvadlo_speed, kyvadlo_rod_force, kyvadlo_time_to_height,
+    kyvadlo_time_to_rise, kyvadlo_time_to_azimuth, kyvadlo_next_turning_time};
+  double values[8], p[3], v[3], t[2] = {0.3, 50}, many[6], rates[6];
+  int i, numbers = 0;
+
+  for (i = 0; i < 12; i++) numbers += !isnan(constants[i](orbit));
+  for (i = 0; i < 12; i++) numbers += !isnan(functions[i](orbit, 0.2));
+  kyvadlo_turning(orbit, values);
+  for (i = 0; i < 8; i++) numbers += !isnan(values[i]);
+  kyvadlo_locate(orbit, 0.3, p, v);
+  for (i = 0; i < 3; i++) numbers += !isnan(p[i]) + !isnan(v[i]);
+  kyvadlo_locate_many(orbit, 2, t, many, rates);
+  for (i = 0; i < 6; i++) numbers += !isnan(many[i]) + !isnan(rates[i]);
+  return numbers;
+}
+
+/* A struct that was never set up, or of which bytes have changed, answers NaN, and a code: 1b/10 item 10. */
+static void try_broken_orbits(void)
+{
+  kyvadlo_orbit good, orbit, before;
+  unsigned char *bytes = (unsigned char *)&orbit;
+  char message[300];
+  int i, k, wrong = 0, codes = 0;
+
+  check(kyvadlo_orbit_from_heights(1, 9.8, 0.3, -0.8, &good, message, SIZE_MAX) == KYVADLO_OK && message[0] == 0, "SIZE_MAX");
+  check(kyvadlo_is_set_up(&good) == 1 && answers(&good) == 50, "an orbit that is set up");
+  check(kyvadlo_orbit_from_heights(1, 9.8, -0.8, 0.3, &orbit, message, SIZE_MAX) == KYVADLO_DOMAIN && strlen(message) > 20,
+        "a message in a buffer said to be of SIZE_MAX");
+  check(kyvadlo_is_set_up(&orbit) == 0 && answers(&orbit) == 0, "an orbit that failed");
+  check(kyvadlo_orbit_to_accuracy(&orbit, 1e-6, 10, message, sizeof message) == KYVADLO_DOMAIN
+        && strstr(message, "kyvadlo_orbit_to_accuracy: orbit is not set up") != NULL, "the accuracy of an orbit that failed");
+  memset(&orbit, 0, sizeof orbit);
+  check(kyvadlo_is_set_up(&orbit) == 0 && answers(&orbit) == 0, "a zeroed orbit");
+  srand(1);
+  for (i = 0; i < 1500; i++) {
+    for (k = 0; k < (int)sizeof orbit; k++) bytes[k] = (unsigned char)(rand() >> 7);
+    wrong += answers(&orbit);
+    codes += kyvadlo_orbit_to_accuracy(&orbit, 1e-6, 10, message, sizeof message) == KYVADLO_DOMAIN;
+  }
+  check(wrong == 0 && codes == 1500, "random bytes");
+  codes = 0;
+  for (i = 0; i < 10000; i++) {
+    orbit = good;
+    for (k = 0; k < 3; k++) {
+      unsigned at = (unsigned)rand() % sizeof orbit;
+      bytes[at] ^= (unsigned char)(1 + (rand() >> 7) % 255);
+    }
+    if (memcmp(&orbit, &good, sizeof orbit) == 0) {
+      codes++;  /* Twice the same byte and back. */
+      continue;
+    }
+    before = orbit;
+    wrong += answers(&orbit) + kyvadlo_is_set_up(&orbit);
+    codes += kyvadlo_orbit_to_accuracy(&orbit, 1e-6, 10, message, sizeof message) == KYVADLO_DOMAIN;
+    wrong += memcmp(&orbit, &before, sizeof orbit) != 0;
+  }
+  check(wrong == 0 && codes == 10000, "three flipped bytes");
 }
 
 int main(void)
@@ -91,7 +159,8 @@ int main(void)
   check(near(many[0], p[0], 4e-16) && near(many[2], p[2], 4e-16) && near(rates[1], v[1], 4e-15), "the start comes back");
 
   check(kyvadlo_orbit_from_heights(1, g, -0.8, 0.3, &orbit, message, sizeof message) == KYVADLO_DOMAIN, "refusal");
-  check(strstr(message, "z_upper") != NULL && isnan(kyvadlo_height_period(&orbit)), "message and NaN");
+  check(strstr(message, "upper = -0.8") != NULL
+        && strstr(message, "z_upper") == NULL && isnan(kyvadlo_height_period(&orbit)), "message and NaN");
   check(kyvadlo_orbit_from_heights(-1, g, -0.8, 0.3, &orbit, tiny, sizeof tiny) == KYVADLO_DOMAIN && strlen(tiny) == 3,
         "a message that is too long for its buffer");
   check(kyvadlo_orbit_from_heights(-1, g, -0.8, 0.3, &orbit, NULL, 0) == KYVADLO_DOMAIN, "no buffer at all");
@@ -99,6 +168,7 @@ int main(void)
   check(strcmp(kyvadlo_message(KYVADLO_OK), "no error") == 0 && strstr(kyvadlo_message(KYVADLO_DOMAIN), "rule") != NULL
         && strstr(kyvadlo_message(-1), "unknown") != NULL, "what codes mean");
 
+  try_broken_orbits();
   printf("%d passed, %d failed\n", passes, failures);
   return failures != 0;
 }
