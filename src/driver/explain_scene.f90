@@ -54,6 +54,8 @@ contains
 
       trial = simulation
       trial_path = path
+      trial_path%duration_rest = 0
+      trial_path%duration_typed = ''
       trial%settings%samples = min(simulation%settings%samples, first_trial)
       do
          trial_path%duration = path%duration*(real(trial%settings%samples - 1, wp)/(all - 1))

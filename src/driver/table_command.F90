@@ -1,20 +1,20 @@
 !> The command `table`: scenes, the built-in pendulums, or a grid of turning heights, in the kind asked for.
 #define pendulum_type pendulum_type_real32
 module kyvadlo_table_command_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real32
 #include "table_command.inc"
 end module kyvadlo_table_command_real32
 #undef pendulum_type
 
 module kyvadlo_table_command_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real64
 #include "table_command.inc"
 end module kyvadlo_table_command_real64
 
 #define pendulum_type pendulum_type_real128
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_table_command_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real128
 #include "table_command.inc"
 end module kyvadlo_table_command_real128
 #endif

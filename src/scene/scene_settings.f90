@@ -14,6 +14,7 @@ module kyvadlo_scene_settings
       character(len=:), allocatable :: file              !! For messages, and where tables are looked for
       ! &output
       real(wp) :: duration = 0                           !! [s]; 0: one period
+      character(len=:), allocatable :: duration_typed    !! As it stands there; empty: not given
       integer(int64) :: samples = 201                    !! Both ends included
       integer, allocatable :: quantities(:)              !! Places in the table of quantities, in the order asked
       ! &string

@@ -36,6 +36,7 @@ contains
       integer :: i, place
 
       chosen%file = file
+      chosen%duration_typed = ''
       if (size(groups) > 0) chosen%file = groups(1)%file
       do i = 1, size(groups)
          if (groups(i)%name == 'pendulum') cycle
@@ -105,6 +106,8 @@ contains
          case default
             call take_numbers(group, trim(settings(i)%name), settings(i)%values, values%numbers(:, i), found, error)
             if (.not. allocated(error)) call check_rule(group, settings(i), values%line(i), values%numbers(:, i), error)
+            if (.not. allocated(error) .and. settings(i)%name == 'duration') &
+               chosen%duration_typed = group%entries(found)%values(1)%text
          end select
          if (allocated(error)) return
       end do

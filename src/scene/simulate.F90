@@ -55,7 +55,8 @@ contains
       first = 0
       do while (first < simulation%settings%samples .and. goes_on)
          block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
-         call set_times(simulation%settings%samples, path%duration, first, block%values(:block%count, 1))
+         call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, first, &
+            block%values(:block%count, 1))
          select case (path%path)
          case (path_constant)
             call fill_constant(path, block)

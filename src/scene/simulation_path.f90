@@ -9,6 +9,7 @@ module kyvadlo_simulation_path
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_sample_times, only: rounded_off
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
@@ -42,6 +43,8 @@ module kyvadlo_simulation_path
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
+      real(wp) :: duration_rest = 0             !! What rounding took off the duration as it was typed [s]
+      character(len=:), allocatable :: duration_typed !! Empty: none was
       real(wp) :: tolerance = 0                 !! Of a step of `path_integrated`
       integer :: threads = 1                    !! That share a long block; 0: as many as OpenMP offers
       real(wp) :: steps = 0                     !! Of it, about
@@ -150,6 +153,8 @@ contains
             return
          end if
          path%duration = settings%duration
+         path%duration_rest = rounded_off(settings%duration_typed, settings%duration)
+         path%duration_typed = settings%duration_typed
          if (.not. path%duration > 0) then
             path%duration = 2*pi*sqrt(pendulum%length/pendulum%gravity)
             if (path%orbit%motion /= motion_none) path%duration = default_duration(path%orbit)

@@ -3,7 +3,7 @@
 #define orbit_type orbit_type_real32
 #define moment_type moment_type_real32
 module kyvadlo_table_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real32
 #include "table.inc"
 end module kyvadlo_table_real32
 #undef pendulum_type
@@ -11,7 +11,7 @@ end module kyvadlo_table_real32
 #undef moment_type
 
 module kyvadlo_table_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real64
 #include "table.inc"
 end module kyvadlo_table_real64
 
@@ -20,7 +20,7 @@ end module kyvadlo_table_real64
 #define moment_type moment_type_real128
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_table_real128
-   use, intrinsic :: iso_fortran_env, only: wp => real128
+   use, intrinsic :: iso_fortran_env, only: int64, wp => real128
 #include "table.inc"
 end module kyvadlo_table_real128
 #endif

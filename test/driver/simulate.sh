@@ -21,6 +21,16 @@ expect_status 0
 expect_match '^7.41629870920548[0-9]*e+00,'
 : >in
 
+# Times are parts of the decimal that was typed.
+cat >sevenths.nml <<'END'
+&pendulum length=1, release_angle=90, release_speed=0 /
+&output duration=0.7, samples=8 /
+END
+run simulate sevenths.nml
+checks=$((checks + 1))
+cut -d , -f 1 out | tr '\n' ' ' >times
+[ "$(cat times)" = 't 0e+00 1e-01 2e-01 3e-01 4e-01 5e-01 6e-01 7e-01 ' ] || complain "tenths expected: $(cat times)"
+
 # Columns as asked, in that order; what does not exist is empty.
 cat >rest.nml <<'END'
 &pendulum length=2, gravity=5, release_angle=0, release_speed=0 /

@@ -158,7 +158,20 @@ run table --upper -0.9:0.9:19 --lower -1:0:11 --format csv
 expect_status 0
 expect_in_out '9e-01,-1e+00,'
 checks=$((checks + 1))
-awk -F, 'NR > 1 && !($1 >= $2 && $1 + $2 < 0 && $3 > 0) { exit 1 }' out || complain 'a pair is not admissible'
+awk -F, 'NR > 1 && !/^#/ && !($1 >= $2 && $1 + $2 < 0 && $3 > 0) { exit 1 }' out || complain 'a pair is not admissible'
+expect_match '^# 100 of 209 pairs belong to no orbit: 0 off the sphere, 45 with z1 below z2, 55 with z1 + z2 not below 0$'
+# The points are those of the decimals, in every kind: the cones are among them.
+for kind in single double quad; do
+   run table --upper -0.9:0.9:19 --lower -0.9:-0.1:9 --format csv --kind $kind
+   checks=$((checks + 1))
+   for z in 1 2 3 4 5 6 7 8 9; do grep -q "^-${z}e-01,-${z}e-01,[^,]*,0e+00," out || echo $z; done >missing
+   [ ! -s missing ] || complain "cones expected in kind $kind"
+   checks=$((checks + 1))
+   cut -d , -f 1 out | sort -u | grep -v -c '^-*[0-9]e[-+]0[01]$' >count
+   [ "$(cat count)" -eq 2 ] || complain "only a head, a comment and heights of one figure expected in kind $kind"
+done
+run table --upper -1.5:-0.1:3 --lower -0.8 --format csv
+expect_match '^# 1 of 3 pairs belong to no orbit: 1 off the sphere, 0 with z1 below z2, 0 with z1 + z2 not below 0$'
 run table --upper 0 --lower -1:-0.5:2 --length 2 --gravity 1 --kind single
 expect_status 0
 checks=$((checks + 1))
