@@ -25,6 +25,12 @@ target_compile_options(kyvadlo_flags INTERFACE
 target_compile_definitions(kyvadlo_flags INTERFACE
   $<$<NOT:$<BOOL:${KYVADLO_WITH_REAL128}>>:KYVADLO_NO_REAL128>
   $<$<NOT:$<BOOL:${KYVADLO_HAS_INT128}>>:KYVADLO_NO_INT128>)
+# The C parts watch their stack and their buffers; addresses are bound when a program starts and cannot be written after that.
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  target_compile_options(kyvadlo_flags INTERFACE $<$<COMPILE_LANGUAGE:C>:-fstack-protector-strong>
+    $<$<AND:$<COMPILE_LANGUAGE:C>,$<NOT:$<CONFIG:Debug>>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>)
+  target_link_options(kyvadlo_flags INTERFACE LINKER:-z,relro LINKER:-z,now)
+endif()
 
 # kyvadlo_batch_kernel(source flag...)
 #

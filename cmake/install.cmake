@@ -32,10 +32,22 @@ if(BUILD_SHARED_LIBS AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 target_include_directories(kyvadlo_c INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS ${installed_targets} EXPORT kyvadlo_targets)
+# Where the loader looks for our shared libraries is the same in the build tree as installed: CMake would else keep room for
+# the installed path by colons, and an empty element means the current folder, whoever owns it.
 file(RELATIVE_PATH libraries_from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
+foreach(target IN LISTS installed_targets ITEMS kyvadlo_slatec kyvadlo_driver)
+  if(TARGET ${target})
+    set_target_properties(${target} PROPERTIES BUILD_WITH_INSTALL_RPATH ON)
+    if(BUILD_SHARED_LIBS)
+      set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN"
+        LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin/${libraries_from_program})
+    endif()
+  endif()
+endforeach()
+if(BUILD_SHARED_LIBS)
+  set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
+endif()
 install(TARGETS kyvadlo_driver)
-set_target_properties(kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo PROPERTIES INSTALL_RPATH "$ORIGIN")
 
 install(EXPORT kyvadlo_targets NAMESPACE kyvadlo:: DESTINATION ${package_dir})
 # What the static libraries need of Fortran's run-time libraries.

@@ -8,7 +8,8 @@ module kyvadlo_command_line
    use kyvadlo_text, only: append, join, shown, text_sink_type, text_type
    implicit none
    private
-   public :: arguments_type, read_command_line, write_help, write_usage, option_given, option_value, integer_option, accuracy_option
+   public :: arguments_type, read_command_line, sort_words, write_help, option_given, option_value, integer_option, &
+      accuracy_option
 
    type :: arguments_type
       character(len=:), allocatable :: command          !! Empty: none given
@@ -40,67 +41,66 @@ contains
       type(text_type), intent(in) :: words(:)
       type(arguments_type), intent(out) :: arguments
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: name
-      integer :: i, j, equals
+      integer :: i
       logical :: only_operands
 
       arguments%command = ''
       allocate (arguments%operands(0), arguments%names(0), arguments%values(0))
       only_operands = .false.
       i = 0
-      do while (i < size(words))
+      do while (i < size(words) .and. .not. allocated(error))
          i = i + 1
-         associate (word => words(i)%text)
-            if (only_operands .or. .not. looks_like_option(word)) then
-               if (arguments%command == '' .and. .not. only_operands) then
-                  if (.not. any(commands%name == word) .or. word == '') then
-                     call fail(error, code_input, 'unknown command '//quoted(word)//'; the commands are ' &
-                        //command_names())
-                     return
-                  end if
-                  arguments%command = word
-               else
-                  call append(arguments%operands, words(i)%text)
-               end if
-               cycle
-            else if (word == '--') then
-               only_operands = .true.
-               cycle
-            end if
-            name = word
-            if (name == '-h') name = '--help'
-            equals = index(name, '=')
-            if (equals > 0) name = name(:equals - 1)
-            j = option_index(arguments%command, name)
-            if (j == 0) then
-               call fail(error, code_input, 'unknown option '//quoted(name)//see_help(arguments%command))
-               return
-            end if
-            if (option_given(arguments, name)) then
-               call fail(error, code_input, 'option '//name//' given twice')
-               return
-            end if
-            call append(arguments%names, name)
-            if (options(j)%value == '') then
-               if (equals > 0) then
-                  call fail(error, code_input, 'option '//name//' takes no value')
-                  return
-               end if
-               call append(arguments%values, '')
-            else if (equals > 0) then
-               call append(arguments%values, word(equals + 1:))
-            else if (i < size(words)) then
-               i = i + 1
-               call append(arguments%values, words(i)%text)
-            else
-               call fail(error, code_input, 'option '//name//' needs a value: '//trim(options(j)%value))
-               return
-            end if
-            call check_word(name, arguments%values(size(arguments%values))%text, trim(options(j)%value), error)
-            if (allocated(error)) return
-         end associate
+         if (.not. only_operands .and. words(i)%text == '--') then
+            only_operands = .true.
+         else if (.not. only_operands .and. looks_like_option(words(i)%text)) then
+            call take_option(words, i, arguments, error)
+         else if (arguments%command /= '' .or. only_operands) then
+            call append(arguments%operands, words(i)%text)
+         else if (any(commands%name == words(i)%text) .and. words(i)%text /= '') then
+            arguments%command = words(i)%text
+         else
+            call fail(error, code_input, 'unknown command '//quoted(words(i)%text)//'; the commands are '//command_names())
+         end if
       end do
    end subroutine sort_words
+
+   !> The option that is word number i, and its value, which may be the next word.
+   subroutine take_option(words, i, arguments, error)
+      type(text_type), intent(in) :: words(:)
+      integer, intent(inout) :: i
+      type(arguments_type), intent(inout) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: name, value
+      integer :: j, equals
+
+      name = words(i)%text
+      if (name == '-h') name = '--help'
+      equals = index(name, '=')
+      if (equals > 0) then
+         value = name(equals + 1:)
+         name = name(:equals - 1)
+      end if
+      j = option_index(arguments%command, name)
+      if (j == 0) then
+         call fail(error, code_input, 'unknown option '//quoted(name)//see_help(arguments%command))
+      else if (option_given(arguments, name)) then
+         call fail(error, code_input, 'option '//name//' given twice')
+      else if (options(j)%value == '') then
+         if (allocated(value)) call fail(error, code_input, 'option '//name//' takes no value')
+         value = ''
+      else if (.not. allocated(value)) then
+         i = i + 1
+         if (i > size(words)) then
+            call fail(error, code_input, 'option '//name//' needs a value: '//trim(options(j)%value))
+         else
+            value = words(i)%text
+         end if
+      end if
+      if (allocated(error)) return
+      call append(arguments%names, name)
+      call append(arguments%values, value)
+      call check_word(name, value, trim(options(j)%value), error)
+   end subroutine take_option
 
    logical function looks_like_option(word)
       character(len=*), intent(in) :: word
@@ -208,64 +208,81 @@ contains
    subroutine write_help(sink, command)
       class(text_sink_type), intent(inout) :: sink
       character(len=*), intent(in) :: command
-      integer :: i
 
       if (command == '') then
-         call write_usage(sink)
-         call sink%put('')
-         call sink%put('The exact motion of the spherical pendulum, and the elliptic functions it needs.')
-         call sink%put('')
-         call sink%put('Commands:')
-         do i = 1, size(commands)
-            call sink%put('  '//commands(i)%name//'  '//trim(commands(i)%summary))
-         end do
-         call sink%put('')
-         call sink%put('Options:')
-         do i = 1, size(options)
-            if (options(i)%command == '' .or. options(i)%command == '-') &
-               call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), 16)//trim(options(i)%meaning))
-         end do
-         call sink%put('')
-         call sink%put('kyvadlo COMMAND --help prints the help of a command.')
+         call write_overview(sink)
       else
-         do i = 1, size(commands)
-            if (commands(i)%name == command) &
-               call sink%put('Usage: kyvadlo '//trim(command)//' [OPTION]... '//trim(commands(i)%operands))
-         end do
-         call sink%put('')
-         do i = 1, size(commands)
-            if (commands(i)%name == command) call sink%put('Prints '//trim(commands(i)%summary)//'.')
-         end do
-         do i = 1, size(explanations)
-            if (explanations(i)%command == command) call sink%put(trim(explanations(i)%line))
-         end do
-         call sink%put('')
-         call sink%put('Options:')
-         do i = 1, size(options)
-            if (options(i)%command == command .or. options(i)%command == '') &
-               call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), 29) &
-               //trim(options(i)%meaning))
-         end do
+         call write_command_help(sink, command)
       end if
-      call sink%put('')
-      call sink%put('Examples:')
-      do i = 1, size(examples)
-         if (command == '' .or. examples(i)%command == command) then
-            call sink%put('  '//trim(examples(i)%line))
-            call sink%put('      '//trim(examples(i)%meaning))
-         end if
-      end do
       call sink%put('')
       call sink%put('Exit status: 0; 1 if a request of eval failed; 2 with one message on standard error for wrong')
       call sink%put('usage, wrong input or a file that cannot be read or written.')
    end subroutine write_help
 
-   !> The usage line of the program.
-   subroutine write_usage(sink)
+   subroutine write_overview(sink)
       class(text_sink_type), intent(inout) :: sink
+      integer :: i
 
       call sink%put('Usage: kyvadlo COMMAND [OPTION]... [OPERAND]...')
-   end subroutine write_usage
+      call sink%put('')
+      call sink%put('The exact motion of the spherical pendulum, and elliptic functions.')
+      call sink%put('')
+      call sink%put('Commands:')
+      do i = 1, size(commands)
+         call sink%put('  '//commands(i)%name//'  '//trim(commands(i)%summary))
+      end do
+      call write_options(sink, '-', 16)
+      call sink%put('')
+      call sink%put('kyvadlo COMMAND --help prints the help of a command.')
+      call write_examples(sink, '')
+   end subroutine write_overview
+
+   subroutine write_command_help(sink, command)
+      class(text_sink_type), intent(inout) :: sink
+      character(len=*), intent(in) :: command
+      integer :: i
+
+      do i = 1, size(commands)
+         if (commands(i)%name /= command) cycle
+         call sink%put('Usage: kyvadlo '//trim(command)//' [OPTION]... '//trim(commands(i)%operands))
+         call sink%put('')
+         call sink%put('Prints '//trim(commands(i)%summary)//'.')
+      end do
+      do i = 1, size(explanations)
+         if (explanations(i)%command == command) call sink%put(trim(explanations(i)%line))
+      end do
+      call write_options(sink, command, 29)
+      call write_examples(sink, command)
+   end subroutine write_command_help
+
+   !> The options of a command and those of every command, their meanings in one column.
+   subroutine write_options(sink, command, width)
+      class(text_sink_type), intent(inout) :: sink
+      character(len=*), intent(in) :: command
+      integer, intent(in) :: width
+      integer :: i
+
+      call sink%put('')
+      call sink%put('Options:')
+      do i = 1, size(options)
+         if (options(i)%command == command .or. options(i)%command == '') &
+            call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), width)//trim(options(i)%meaning))
+      end do
+   end subroutine write_options
+
+   subroutine write_examples(sink, command)
+      class(text_sink_type), intent(inout) :: sink
+      character(len=*), intent(in) :: command   !! Empty: all
+      integer :: i
+
+      call sink%put('')
+      call sink%put('Examples:')
+      do i = 1, size(examples)
+         if (command /= '' .and. examples(i)%command /= command) cycle
+         call sink%put('  '//trim(examples(i)%line))
+         call sink%put('      '//trim(examples(i)%meaning))
+      end do
+   end subroutine write_examples
 
    pure function padded(text, width) result(wide)
       character(len=*), intent(in) :: text

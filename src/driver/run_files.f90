@@ -95,6 +95,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i, j
 
+      if (.not. allocated(files%files)) return
       do i = 1, size(files%files)
          associate (one => files%files(i))
             do j = 1, i - 1

@@ -103,11 +103,12 @@ static int create_beside(struct unfinished_file *file, const char *folder, size_
    for (tries = 0; tries < 100; tries++) {
       int size = snprintf(name, sizeof name, "%.*s.kyvadlo-%016llx.part", (int)length, folder, random_number());
       if (size >= (int)sizeof name) return ENAMETOOLONG;
+      /* The name is noted first: a signal may come as soon as the file is there. */
+      file->descriptor = -1;
+      strcpy(file->name, name);
       file->descriptor = open(name, O_RDWR | O_CREAT | O_EXCL | O_BINARY, mode);
-      if (file->descriptor >= 0) {
-         strcpy(file->name, name);
-         return 0;
-      }
+      if (file->descriptor >= 0) return 0;
+      file->name[0] = '\0';
       if (errno != EEXIST) return errno;
    }
    return EEXIST;

@@ -1,31 +1,31 @@
 !> The command `table`: scenes, the built-in pendulums, or a grid of turning heights, in the kind asked for.
-#define pendulum_type pendulum_type_real32
 module kyvadlo_table_command_real32
    use, intrinsic :: iso_fortran_env, only: int64, wp => real32
+   use kyvadlo_scene_real32, only: pendulum_type => pendulum_type_real32
 #include "table_command.inc"
 end module kyvadlo_table_command_real32
-#undef pendulum_type
 
 module kyvadlo_table_command_real64
    use, intrinsic :: iso_fortran_env, only: int64, wp => real64
+   use kyvadlo_scene_real64, only: pendulum_type
 #include "table_command.inc"
 end module kyvadlo_table_command_real64
 
-#define pendulum_type pendulum_type_real128
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_table_command_real128
    use, intrinsic :: iso_fortran_env, only: int64, wp => real128
+   use kyvadlo_scene_real128, only: pendulum_type => pendulum_type_real128
 #include "table_command.inc"
 end module kyvadlo_table_command_real128
 #endif
-#undef pendulum_type
 
 module kyvadlo_table_command
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
    use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
+   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
    use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
-   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_table_command_real32
    use kyvadlo_table_command_real64
 #ifndef KYVADLO_NO_REAL128
@@ -47,14 +47,17 @@ contains
       character(len=:), allocatable :: kind
 
       call read_options(arguments, options, kind, error)
+      if (.not. allocated(error)) call check_all_files(arguments, error)
       if (allocated(error)) return
       call open_output(output, option_value(arguments, '--output', ''), error)
       if (allocated(error)) return
       select case (kind)
       case ('single')
          call tables_in_kind(1.0_real32, arguments, options, output, error)
+#ifndef KYVADLO_NO_REAL128
       case ('quad')
          call tables_in_kind(1.0_real128, arguments, options, output, error)
+#endif
       case default
          call tables_in_kind(1.0_real64, arguments, options, output, error)
       end select
@@ -65,14 +68,29 @@ contains
       end if
    end subroutine table_command
 
+   !> Whether the files of the run go together.
+   subroutine check_all_files(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      type(run_files_type) :: files
+      integer :: i
+
+      do i = 1, size(arguments%operands)
+         call add_input(files, 'the scene', arguments%operands(i)%text)
+      end do
+      if (option_given(arguments, '--output')) &
+         call add_output(files, 'option --output', option_value(arguments, '--output', ''))
+      call check_files(files, error)
+   end subroutine check_all_files
+
    !> The options that do not depend on the kind, and which of them exclude each other.
    subroutine read_options(arguments, options, kind, error)
       type(arguments_type), intent(in) :: arguments
       type(table_options_type), intent(out) :: options
       character(len=:), allocatable, intent(out) :: kind  !! single, double, quad
       type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: name
       real(real64) :: accuracy
-      logical :: is_grid
       !> Of 14 digits of double precision all count, of 32 in quad.
       real(real64), parameter :: least_of_double = 1e-13_real64
       integer, parameter :: most_digits = 32
@@ -87,6 +105,12 @@ contains
          kind = 'quad'
          if (accuracy >= least_of_double) kind = 'double'
       end if
+#ifdef KYVADLO_NO_REAL128
+      if (kind == 'quad') then
+         call fail(error, code_unsupported, 'this build has no quadruple precision')
+         return
+      end if
+#endif
       select case (option_value(arguments, '--format', 'text'))
       case ('csv')
          options%layout = layout_csv
@@ -104,8 +128,24 @@ contains
          call fail(error, code_input, 'options --data and --divisions exclude each other')
          return
       end if
-      is_grid = option_given(arguments, '--upper') .or. option_given(arguments, '--lower')
-      if (is_grid) then
+      call check_grid(arguments, options, error)
+      if (allocated(error)) return
+      if (.not. option_given(arguments, '--output')) return
+      name = option_value(arguments, '--output', '')
+      if (name == '') then
+         call fail(error, code_input, 'option --output needs the name of a file')
+      else if (len(name) > 3 .and. index(name, '.nc', back=.true.) == len(name) - 2) then
+         call fail(error, code_input, 'option --output: a table is text; NetCDF (.nc) comes from simulate')
+      end if
+   end subroutine read_options
+
+   !> The options of a grid, and those that it excludes.
+   subroutine check_grid(arguments, options, error)
+      type(arguments_type), intent(in) :: arguments
+      type(table_options_type), intent(in) :: options
+      type(error_type), allocatable, intent(out) :: error
+
+      if (option_given(arguments, '--upper') .or. option_given(arguments, '--lower')) then
          if (.not. (option_given(arguments, '--upper') .and. option_given(arguments, '--lower'))) then
             call fail(error, code_input, 'a grid needs both --upper A:B:N and --lower A:B:N')
          else if (size(arguments%operands) > 0) then
@@ -116,9 +156,6 @@ contains
       else if (option_given(arguments, '--length') .or. option_given(arguments, '--gravity')) then
          call fail(error, code_input, 'options --length and --gravity apply to a grid: give --upper and --lower too')
       end if
-      if (allocated(error)) return
-      if (option_given(arguments, '--output') .and. option_value(arguments, '--output', '') == '') &
-         call fail(error, code_input, 'option --output needs the name of a file')
-   end subroutine read_options
+   end subroutine check_grid
 
 end module kyvadlo_table_command

@@ -11,6 +11,10 @@
 #define O_BINARY 0
 #endif
 
+#if defined(__GNUC__)
+#pragma GCC visibility push(hidden)   /* not for who links a shared kyvadlo */
+#endif
+
 int kyvadlo_open_input(const char *path)
 {
    int descriptor;

@@ -8,16 +8,27 @@ module kyvadlo_quoting
 
 contains
 
+   !> Whether a spreadsheet would compute it: it begins like a formula and is no number.
+   pure logical function is_formula(text)
+      character(len=*), intent(in) :: text
+      integer :: exponent
+
+      is_formula = .false.
+      if (len(text) < 2) return
+      if (scan(text(:1), '=+-@') == 0) return
+      exponent = scan(text, 'eE')
+      if (exponent == 0) exponent = len(text) + 1
+      is_formula = scan(text(:1), '=@') > 0 .or. verify(text(2:exponent - 1), '0123456789.') > 0 .or. exponent == 2
+      if (exponent < len(text)) is_formula = is_formula .or. verify(text(exponent + 2:), '0123456789') > 0 .or. &
+         verify(text(exponent + 1:exponent + 1), '+-0123456789') > 0
+   end function is_formula
+
    pure integer function csv_length(text) result(length)
       character(len=*), intent(in) :: text
-      logical :: looks_like_formula
       integer :: i
 
       length = len(text)
-      looks_like_formula = .false.
-      if (len(text) > 1) looks_like_formula = scan(text(:1), '=+-@') > 0 .and. &
-         (scan(text, '0123456789') == 0 .or. verify(text, '0123456789.eE+-') > 0)
-      if (scan(text, ',"'//new_line('a')//achar(13)) == 0 .and. .not. looks_like_formula) return
+      if (scan(text, ',"'//new_line('a')//achar(13)) == 0 .and. .not. is_formula(text)) return
       length = len(text) + 2
       do i = 1, len(text)
          if (text(i:i) == '"') length = length + 1

@@ -131,7 +131,9 @@ if(SHARED AND READELF)
     if(NOT dynamic MATCHES "SONAME[^\n]*\\[lib${name}[.]so[.]${major}\\]")
       message(FATAL_ERROR "lib${name}.so has no SONAME lib${name}.so.${major}: ${dynamic}")
     endif()
+    list(APPEND hardened ${library})
   endforeach()
+  run(sh ${SOURCE}/test/checks/hardening.sh any ${WORK}/prefix/bin/kyvadlo ${hardened})
 endif()
 
 # Python reaches the shared library through ctypes.
