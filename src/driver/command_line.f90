@@ -5,6 +5,7 @@ module kyvadlo_command_line
    use kyvadlo_commands, only: commands, examples, explanations, options
    use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_version, only: with_quad
    use kyvadlo_text, only: append, join, shown, text_sink_type, text_type
    implicit none
    private
@@ -116,7 +117,11 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (index(choice, '|') == 0) return
-      if (index('|'//choice//'|', '|'//word//'|') > 0 .and. word /= '' .and. index(word, '|') == 0) return
+      if (index('|'//choice//'|', '|'//word//'|') > 0 .and. word /= '' .and. index(word, '|') == 0) then
+         if (word == 'quad' .and. .not. with_quad) &
+            call fail(error, code_input, 'option '//name//': this build has no quadruple precision')
+         return
+      end if
       call fail(error, code_input, 'option '//name//' must be one of '//choice//', got '//quoted(word))
    end subroutine check_word
 

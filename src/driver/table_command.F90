@@ -20,7 +20,10 @@ end module kyvadlo_table_command_real128
 #endif
 
 module kyvadlo_table_command
-   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use, intrinsic :: iso_fortran_env, only: real32, real64
+#ifndef KYVADLO_NO_REAL128
+   use, intrinsic :: iso_fortran_env, only: real128
+#endif
    use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
@@ -32,6 +35,7 @@ module kyvadlo_table_command
    use kyvadlo_table_command_real128
 #endif
    use kyvadlo_table_options, only: table_options_type
+   use kyvadlo_version, only: with_quad
    implicit none
    private
    public :: table_command
@@ -104,6 +108,11 @@ contains
          options%digits = min(1 + ceiling(-log10(accuracy)), most_digits)
          kind = 'quad'
          if (accuracy >= least_of_double) kind = 'double'
+         if (kind == 'quad' .and. .not. with_quad) then
+            call fail(error, code_input, 'option --accuracy: this build has no quadruple precision, and double precision '// &
+               'keeps 1e-13')
+            return
+         end if
       end if
 #ifdef KYVADLO_NO_REAL128
       if (kind == 'quad') then

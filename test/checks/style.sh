@@ -47,8 +47,8 @@ fi
 
 if command -v shellcheck >/dev/null 2>&1; then
    tools=1
-   # Not for us: SC2044 and SC2010 (no name here holds a blank); expect.sh is sourced, and sets variables for who does so (SC2034).
-   shellcheck --shell=sh --severity=warning --exclude=SC2010,SC2034,SC2044 bootstrap test/*.sh test/*/*.sh && echo 'shellcheck: done' ||
+   # Not for us: SC2044 and SC2010 (no name here holds a blank); expect.sh is sourced, and sets variables for who does so (SC2034), and it sets some (SC2154).
+   shellcheck --shell=sh --severity=warning --exclude=SC2010,SC2034,SC2044,SC2154 bootstrap test/*.sh test/*/*.sh && echo 'shellcheck: done' ||
       breaches=$((breaches + 1))
    shellcheck --severity=warning .ci/run || breaches=$((breaches + 1))
 fi

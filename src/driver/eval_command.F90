@@ -1,6 +1,9 @@
 !> The command `eval`: requests from the command line or from standard input, answers to standard output.
 module kyvadlo_eval_command
-   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use, intrinsic :: iso_fortran_env, only: real32, real64
+#ifndef KYVADLO_NO_REAL128
+   use, intrinsic :: iso_fortran_env, only: real128
+#endif
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_eval, only: answer_request
    use kyvadlo_eval_requests, only: requests
@@ -66,8 +69,10 @@ contains
       select case (kind_word)
       case ('single')
          call answer_request(1.0_real32, line, answer, failed)
+#ifndef KYVADLO_NO_REAL128
       case ('quad')
          call answer_request(1.0_real128, line, answer, failed)
+#endif
       case default
          call answer_request(1.0_real64, line, answer, failed)
       end select
