@@ -72,7 +72,7 @@ contains
    !> Orbit of any start (`start_heights` and so on, see kyvadlo_start) that keeps an accuracy. The numbers of the start count as
    !> they are, in binary. Needs finest_quad <= accuracy <= coarsest_accuracy, span >= 0, and times that the kind can still
    !> tell apart.
-   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error)
+   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error, gravity_rest)
       type(accurate_orbit_type), intent(out) :: plan
       integer, intent(in) :: start                       !! One of the `start_*` constants
       real(real64), intent(in) :: length, gravity        !! l [m], g [m/s2]
@@ -80,16 +80,20 @@ contains
       real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
       real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
       type(error_type), allocatable, intent(out) :: error
+      real(real64), intent(in), optional :: gravity_rest !! What of g its rounding took off [m/s2]
+      real(real64) :: rest
       logical :: is_kept
 
       is_kept = .false.
+      rest = 0
+      if (present(gravity_rest)) rest = gravity_rest
       if (accuracy >= finest_rough) then
-         call new_rough_orbit(plan%orbit, start, length, gravity, first, second, error)
+         call new_rough_orbit(plan%orbit, start, length, gravity, first, second, error, rest)
          if (.not. allocated(error)) call begin(plan, accuracy, span, error)
          if (.not. allocated(error)) call choose(plan, .true., is_kept)
          if (is_kept) return
       end if
-      call new_orbit(plan%orbit, start, length, gravity, first, second, error)
+      call new_orbit(plan%orbit, start, length, gravity, first, second, error, rest)
       if (.not. allocated(error)) call begin(plan, accuracy, span, error)
       if (.not. allocated(error)) then
          call choose(plan, .false., is_kept)
@@ -100,7 +104,7 @@ contains
             text(half_periods(plan%orbit, plan%span))//' half periods')
 #else
          allocate (plan%wide)
-         call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128), real(first, real128), &
+         call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128) + rest, real(first, real128), &
             real(second, real128), error)
          if (.not. allocated(error)) call check_wide(plan, error)
 #endif

@@ -43,6 +43,7 @@ module kyvadlo_string
    !> The whole motion, set up once; read-only after that.
    type :: string_motion_type
       real(wp) :: length = 0, gravity = 0                  !! [m], [m/s2]
+      real(wp) :: gravity_rest = 0                         !! What of g its rounding took off [m/s2]
       real(wp) :: until = -1                               !! The motion is known from 0 to this time [s]
       type(string_piece_type), allocatable :: pieces(:)
       type(string_event_type), allocatable :: events(:)    !! events(i) lies between pieces(i) and pieces(i+1)
@@ -60,7 +61,8 @@ module kyvadlo_string
 contains
 
    !> Follows the bob from a start on or in the sphere for a duration, event by event.
-   pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error)
+   pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error, &
+         gravity_rest)
       type(string_motion_type), intent(out) :: motion
       real(wp), intent(in) :: length, gravity         !! l [m], g [m/s2]
       real(wp), intent(in) :: position(3)             !! At t = 0 [m]
@@ -68,6 +70,7 @@ contains
       real(wp), intent(in) :: restitution             !! Of the radial speed at re-tension, 0 (inelastic) to 1
       real(wp), intent(in) :: duration                !! Events after it are left out [s]
       type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in), optional :: gravity_rest  !! What of g its rounding took off, which swings feel after a time [m/s2]
       type(string_piece_type) :: piece
       type(string_event_type) :: event
       character(len=24) :: got
@@ -75,6 +78,7 @@ contains
 
       motion%length = length
       motion%gravity = gravity
+      if (present(gravity_rest)) motion%gravity_rest = gravity_rest
       allocate (motion%pieces(8), motion%events(8))
       if (.not. (restitution >= 0 .and. restitution <= 1)) then
          write (got, '(es10.3)') restitution
@@ -86,7 +90,7 @@ contains
          if (allocated(error)) return
       else
          ! The set-up checks the rest, and puts the start exactly on the sphere.
-         call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error)
+         call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error, gravity_rest)
          if (allocated(error)) return
          call locate(piece%orbit, 0.0_wp, piece%position, piece%velocity)
          piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
@@ -203,7 +207,8 @@ contains
       end if
       event%kind = merge(event_end_of_rattling, event_taut, restitution > 0)
       event%energy_lost = radial**2/2
-      call new_orbit_from_state(piece%orbit, motion%length, motion%gravity, piece%position, piece%velocity, error)
+      call new_orbit_from_state(piece%orbit, motion%length, motion%gravity, piece%position, piece%velocity, error, &
+         motion%gravity_rest)
       if (allocated(error)) return
       ! Without radial velocity the bob may still be too slow for its height: then it falls at once.
       piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0

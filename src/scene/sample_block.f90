@@ -5,11 +5,14 @@ module kyvadlo_sample_block
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_samples, only: column_type
+   use kyvadlo_scene_groups, only: turning_frame_group
    use kyvadlo_simulation, only: simulation_type
-   use kyvadlo_turning_frame, only: seen_from_turning_frame
+   use kyvadlo_turned_azimuth, only: is_upright
+   use kyvadlo_turning_frame, only: frame_angle, seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, turn_frame
+   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, turn_azimuth, &
+      turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate_batch`.
    integer, parameter :: block_samples = 8192
@@ -61,7 +64,8 @@ contains
       block%visible = count
       if (block%column(quantity_speed) > 0) call add(quantity_velocity)
       if (.not. is_one_orbit .and. any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
-      if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0) call add(quantity_position)
+      if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0 .or. &
+         block%column(quantity_azimuth) > 0 .and. simulation%settings%given(turning_frame_group)) call add(quantity_position)
       allocate (block%values(block_samples, count))
 
    contains
@@ -120,8 +124,7 @@ contains
       integer :: i
 
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
-         v => block%column(quantity_velocity), azimuth_column => block%column(quantity_azimuth))
-         if (azimuth_column > 0) values(:n, azimuth_column) = values(:n, azimuth_column) - rate*values(:n, 1)
+         v => block%column(quantity_velocity))
          if (p == 0) return
          velocity = 0
          do i = 1, n
@@ -133,5 +136,24 @@ contains
          end do
       end associate
    end subroutine turn_frame
+
+   !> The azimuth seen from that frame, of places relative to the pivot: the angle of the place, which has all digits, with the turns of
+   !> the difference, which may be a small one of large numbers.
+   pure subroutine turn_azimuth(rate, block)
+      real(wp), intent(in) :: rate                            !! [rad/s]
+      type(block_type), intent(inout) :: block
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
+      real(wp) :: seen
+      integer :: i
+
+      associate (values => block%values, p => block%column(quantity_position), column => block%column(quantity_azimuth))
+         do i = 1, merge(block%count, 0, column > 0)
+            seen = values(i, column)
+            if (.not. is_upright(values(i, p), values(i, p + 1))) seen = atan2(values(i, p + 1), values(i, p))
+            seen = seen - frame_angle(rate, values(i, 1))
+            values(i, column) = seen + two_pi*anint((values(i, column) - rate*values(i, 1) - seen)/two_pi)
+         end do
+      end associate
+   end subroutine turn_azimuth
 
 end module kyvadlo_sample_block

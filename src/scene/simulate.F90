@@ -71,6 +71,7 @@ contains
 #endif
          end select
          call fill_inclination(block)
+         if (simulation%settings%given(turning_frame_group)) call turn_azimuth(simulation%settings%frame_rate, block)
          if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
          if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)
          call fill_speed(block)

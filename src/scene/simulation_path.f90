@@ -2,7 +2,7 @@
 module kyvadlo_simulation_path
    use kyvadlo
    use kyvadlo_accuracy, only: accurate_orbit_type, choice_text, new_orbit_to_accuracy
-   use kyvadlo_buoyancy, only: effective_gravity, effective_inertia, effective_weight
+   use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_forces, only: forces_type, new_forces
    use kyvadlo_integration_start, only: begin_motion
@@ -34,6 +34,7 @@ module kyvadlo_simulation_path
    type :: path_type
       integer :: path = 0                       !! One of the `path_*` constants
       real(wp) :: length = 0, gravity = 0       !! Of the pendulum [m], [m/s2]
+      real(wp) :: gravity_rest = 0              !! What of the effective gravity its rounding took off [m/s2]
       type(effects_type) :: effects
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
@@ -87,6 +88,7 @@ contains
       associate (settings => simulation%settings)
          pendulum = simulation%pendulum
          pendulum%gravity = effective_gravity(pendulum%gravity, settings%density_ratio, settings%added_mass)
+         path%gravity_rest = effective_gravity_rest(simulation%pendulum%gravity, settings%density_ratio, settings%added_mass)
          path%length = pendulum%length
          path%gravity = simulation%pendulum%gravity
          path%tolerance = default_tolerance
@@ -136,7 +138,7 @@ contains
       real(wp) :: slack, displacement(3), velocity(3)
 
       associate (effects => path%effects, settings => simulation%settings)
-         call pendulum_orbit(pendulum, path%orbit, no_orbit)
+         call pendulum_orbit(pendulum, path%orbit, no_orbit, path%gravity_rest)
          has_orbit = .not. allocated(no_orbit)
          if (has_orbit) call locate(path%orbit, 0.0_wp, path%position, path%velocity)
          is_free = .false.
@@ -231,7 +233,7 @@ contains
             return
          end if
          call new_string_motion(path%string, pendulum%length, pendulum%gravity, path%position, path%velocity, &
-            settings%restitution, path%duration, error)
+            settings%restitution, path%duration, error, path%gravity_rest)
          if (allocated(error)) then
             error%message = place_of(pendulum%file, pendulum%start_line)//'&pendulum: '//error%message
             return
@@ -272,7 +274,7 @@ contains
       values = merge(3, 1, pendulum%start == start_state)
       allocate (path%plan)
       call new_orbit_to_accuracy(path%plan, pendulum%start, pendulum%length, pendulum%gravity, pendulum%first(:values), &
-         pendulum%second(:values), accuracy, path%duration, error)
+         pendulum%second(:values), accuracy, path%duration, error, path%gravity_rest)
       if (allocated(error)) then
          error%message = pendulum%file//': '//error%message
       else
