@@ -1,6 +1,6 @@
-/* The seal of a kyvadlo_orbit: its last word, a checksum of the others. Every function that reads an orbit looks at it first, so
-   it is made of few additions: each of eight lanes has the sums s of its words and t of the sums so far; all are mixed by odd
-   factors. One wrong word always changes it, several by all likelihood. */
+/* The seal of a kyvadlo_orbit: its last word, a checksum of the others. Every function that reads an orbit looks at it
+   first, so it is made of few additions: of 32 sums of every 32nd word, mixed by turns of their bits and odd factors. One
+   wrong word always changes it, several by all likelihood. */
 #include "kyvadlo.h"
 #include <stdint.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #define HIDDEN
 #endif
 
-/* A multiple of 8. */
+/* A multiple of 32. */
 #define WORDS (KYVADLO_ORBIT_SIZE - 1)
 
 /* Not 0, so that a zeroed struct has no seal. */
@@ -29,29 +29,30 @@ static uint64_t mixed(const uint64_t sums[8])
 }
 
 #if defined(__GNUC__)
-typedef uint64_t four_words __attribute__((vector_size(32)));
+typedef uint64_t eight_words __attribute__((vector_size(64), aligned(8), may_alias));
 
 static inline __attribute__((always_inline)) void add_up(const void *orbit, uint64_t sums[8])
 {
-   four_words w, s = {0, 0, 0, 0}, t = s, s_next = s, t_next = s;
-   int i;
+   const eight_words *w = orbit, *end = w + WORDS / 8;
+   eight_words a = w[0], b = w[1], c = w[2], d = w[3];
 
-   for (i = 0; i < WORDS; i += 8) {
-      memcpy(&w, (const char *)orbit + 8 * i, sizeof w);
-      s += w;
-      t += s;
-      memcpy(&w, (const char *)orbit + 8 * i + 32, sizeof w);
-      s_next += w;
-      t_next += s_next;
+   while ((w += 4) < end) {
+      a += w[0];
+      b += w[1];
+      c += w[2];
+      d += w[3];
    }
-   s += s_next << 7 | s_next >> 57;
-   t += t_next << 13 | t_next >> 51;
-   memcpy(sums, &s, sizeof s);
-   memcpy(sums + 4, &t, sizeof t);
+   *(eight_words *)sums = a + (b << 11 | b >> 53) + (c << 23 | c >> 41) + (d << 37 | d >> 27);
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) static void add_up_wide(const void *orbit, uint64_t sums[8])
+#define HAS_WIDE
+__attribute__((target("avx2"))) static void add_up_avx2(const void *orbit, uint64_t sums[8])
+{
+   add_up(orbit, sums);
+}
+
+__attribute__((target("avx512f"))) static void add_up_avx512(const void *orbit, uint64_t sums[8])
 {
    add_up(orbit, sums);
 }
@@ -59,17 +60,16 @@ __attribute__((target("avx2"))) static void add_up_wide(const void *orbit, uint6
 #else
 static void add_up(const void *orbit, uint64_t sums[8])
 {
-   uint64_t w[8], s[8] = {0}, t[8] = {0};
-   int i, lane;
+   static const int turns[4] = {0, 11, 23, 37};
+   uint64_t s[32] = {0}, w;
+   int i;
 
-   for (i = 0; i < WORDS; i += 8) {
-      memcpy(w, (const char *)orbit + 8 * i, sizeof w);
-      for (lane = 0; lane < 8; lane++) t[lane] += s[lane] += w[lane];
+   for (i = 0; i < WORDS; i++) {
+      memcpy(&w, (const char *)orbit + 8 * i, sizeof w);
+      s[i % 32] += w;
    }
-   for (lane = 0; lane < 4; lane++) {
-      sums[lane] = s[lane] + (s[lane + 4] << 7 | s[lane + 4] >> 57);
-      sums[4 + lane] = t[lane] + (t[lane + 4] << 13 | t[lane + 4] >> 51);
-   }
+   memcpy(sums, s, 8 * sizeof *sums);
+   for (i = 8; i < 32; i++) sums[i % 8] += s[i] << turns[i / 8] | s[i] >> (64 - turns[i / 8]);
 }
 #endif
 
@@ -77,9 +77,11 @@ static uint64_t checksum(const kyvadlo_orbit *orbit)
 {
    uint64_t sums[8];
 
-#if defined(__GNUC__) && defined(__x86_64__)
-   if (__builtin_cpu_supports("avx2"))
-      add_up_wide(orbit, sums);
+#if defined(HAS_WIDE)
+   if (__builtin_cpu_supports("avx512f"))
+      add_up_avx512(orbit, sums);
+   else if (__builtin_cpu_supports("avx2"))
+      add_up_avx2(orbit, sums);
    else
 #endif
       add_up(orbit, sums);
