@@ -5,6 +5,9 @@
 #ifdef __ELF__
 void xermsg_(const char *library, const char *routine, const char *message, const int *code, const int *level,
              size_t library_length, size_t routine_length, size_t message_length) __attribute__((weak));
+
+/* For the Fortran beside it in the library, not for others. */
+void kyvadlo_call_xermsg(const char *, size_t, const char *, size_t, int) __attribute__((visibility("hidden")));
 #endif
 
 void kyvadlo_call_xermsg(const char *routine, size_t routine_length, const char *message, size_t message_length, int code)
