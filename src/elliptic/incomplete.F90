@@ -2,7 +2,7 @@
 module kyvadlo_incomplete_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio
@@ -12,7 +12,7 @@ end module kyvadlo_incomplete_real32
 module kyvadlo_incomplete_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio
@@ -23,7 +23,7 @@ end module kyvadlo_incomplete_real64
 module kyvadlo_incomplete_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rf, carlson_rd
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio

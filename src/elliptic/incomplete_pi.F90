@@ -2,18 +2,18 @@
 module kyvadlo_incomplete_pi_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rc, carlson_rf, carlson_rj
-   use kyvadlo_complete_pi, only: elliptic_pic
+   use kyvadlo_complete_pi_real64, only: third_kind
 #include "incomplete_pi.inc"
 end module kyvadlo_incomplete_pi_real32
 
 module kyvadlo_incomplete_pi_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rc, carlson_rf, carlson_rj
-   use kyvadlo_complete_pi, only: elliptic_pic
+   use kyvadlo_complete_pi_real64, only: third_kind
 #include "incomplete_pi.inc"
 end module kyvadlo_incomplete_pi_real64
 
@@ -21,9 +21,9 @@ end module kyvadlo_incomplete_pi_real64
 module kyvadlo_incomplete_pi_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-   use kyvadlo_amplitude, only: reduce_amplitude
+   use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
    use kyvadlo_carlson, only: carlson_rc, carlson_rf, carlson_rj
-   use kyvadlo_complete_pi, only: elliptic_pic
+   use kyvadlo_complete_pi_real128, only: third_kind
 #include "incomplete_pi.inc"
 end module kyvadlo_incomplete_pi_real128
 #endif

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""The values of test/unit/test_function_faults.pf, by Arb and mpmath at the exact binary arguments; printed."""
+from fractions import Fraction
+
+import flint
+from flint import acb, arb
+from mpmath import mp
+
+flint.ctx.prec = 6000
+mp.prec = 6000
+
+
+def a(x):
+    f = Fraction(x)
+    return arb(flint.fmpq(f.numerator, f.denominator))
+
+
+def quad(text):
+    """The number of real128 nearest to a decimal."""
+    from legendre_reference import rounded
+    f = rounded(Fraction(text), 128)
+    return arb(flint.fmpq(f.numerator, f.denominator))
+
+
+def show(name, value):
+    print(name, value.str(36, radius=False))
+
+
+def pi_inc(n, phi, m):
+    return acb.elliptic_pi_inc(acb(a(n)), acb(a(phi)), acb(a(m))).real
+
+
+def rj_negative(x, y, z, q):
+    x, y, z = sorted((a(x), a(y), a(z)), key=lambda v: v.mid())
+    q = a(q)
+    other = (z*(x + y + q) - x*y)/(z + q)
+    value = (other - z)*acb.elliptic_rj(x, y, z, other).real - 3*acb.elliptic_rf(x, y, z).real
+    if x > 0:
+        s, t = x*y + other*q, other*q
+        rc = acb.elliptic_rc(s, t).real
+        value += 3*(x*y*z/s).sqrt()*rc
+    return value/(z + q)
+
+
+def complete(mc):
+    m = 1 - mc
+    k, e = acb(m).elliptic_k().real, acb(m).elliptic_e().real
+    return (k - e)/m, k - (k - e)/m
+
+
+def theta(i, v, q):
+    """By its series in q."""
+    total = arb(0)
+    q = a(q)
+    for n in range(0, 400):
+        if i == 1:
+            total += 2*(-1)**n*(q.log()*(a(n) + a(0.5))**2).exp()*((2*n + 1)*v).sin()
+    return total
+
+
+show('FAULT_PIINC', pi_inc(1.5, 1e40, 1e-20))
+show('FAULT_PIINC_2', pi_inc(3.0, 1e30, -1e-25))
+show('FAULT_BC', complete(quad('16.09366971760072299356027900162480851370'))[1])
+show('FAULT_DC', complete(quad('0.06173632424734089162499030478783734516825'))[0])
+show('FAULT_RJ', rj_negative(1.5, 3.0, 1e130, 1.99))
+show('FAULT_RJ_2', rj_negative(1.5, 3.0, 1e230, 1.99))
+show('FAULT_RJ_3', rj_negative(5e-324, 0.0, 1.270196509085502e240, 5e-324))
+show('FAULT_PI', acb.elliptic_pi(acb(a(-1e308)), acb(a(-1e308))).real)
+show('FAULT_EINC', acb.elliptic_e_inc(acb(a(4e307)), acb(a(0.9999999999999999))).real)
+show('FAULT_PIINC_3', pi_inc(-1e308, 1.0, -1e308))
+show('FAULT_PIINC_4', pi_inc(1.5, 1.0, -1.7e308))
+# u so small that Z = u (1 - E/K) to all digits
+m = a(-1e300)
+show('FAULT_ZETA', a(1e-323)*(1 - acb(m).elliptic_e().real/acb(m).elliptic_k().real))
+q = a(0.99667)
+show('FAULT_THETA_1', 1 + 2*sum(((-1)**n*q**(n*n) for n in range(1, 1200)), arb(0)))
+# theta_4(i y, q) = 1 + 2 sum (-1)^n q^(n^2) cosh(2 n y)
+y, q = a(549.759118215523), a(6.736470133691432e-160)
+show('FAULT_THETA', 1 + 2*sum(((-1)**n*(q.log()*n*n).exp()*(2*n*y).cosh() for n in range(1, 40)), arb(0)))
+show('FAULT_RC', arb.pi()/2/a(1e-293).sqrt())
+show('FAULT_RC_2', arb.pi()/2/a(1e-300).sqrt())
+show('FAULT_RC_3', arb.pi()/2/a(5e-324).sqrt())
+show('FAULT_THETA_LARGE', theta(1, a(1e22), 0.25))
+show('FAULT_F', acb.elliptic_f(acb(a(0.02900929685633258)), acb(a(1188.6320168864793))).real)
