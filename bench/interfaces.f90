@@ -15,8 +15,8 @@ module kyvadlo_bench_interfaces
    public :: bench_interfaces
 
    integer, parameter :: points = 2000
-   character(len=*), parameter :: names(6) = [character(len=16) :: 'K(m)', 'F(phi, m)', 'R_F', 'R_J', 'sn cn dn (u, m)', &
-      'locate']
+   character(len=*), parameter :: names(6) = [character(len=16) :: &
+      'K(m)', 'F(phi, m)', 'R_F', 'R_J', 'sn cn dn (u, m)', 'locate']
 
 contains
 

@@ -194,6 +194,30 @@ contains
       f = carlson_rj(x, y, z, p)
    end function kyvadlo_carlson_rj
 
+   pure real(c_double) function kyvadlo_bulirsch_cel(kc, p, a, b) result(f) bind(c)
+      real(c_double), value :: kc, p, a, b
+
+      f = bulirsch_cel(kc, p, a, b)
+   end function kyvadlo_bulirsch_cel
+
+   pure real(c_double) function kyvadlo_bulirsch_el1(x, kc) result(f) bind(c)
+      real(c_double), value :: x, kc
+
+      f = bulirsch_el1(x, kc)
+   end function kyvadlo_bulirsch_el1
+
+   pure real(c_double) function kyvadlo_bulirsch_el2(x, kc, a, b) result(f) bind(c)
+      real(c_double), value :: x, kc, a, b
+
+      f = bulirsch_el2(x, kc, a, b)
+   end function kyvadlo_bulirsch_el2
+
+   pure real(c_double) function kyvadlo_bulirsch_el3(x, kc, p) result(f) bind(c)
+      real(c_double), value :: x, kc, p
+
+      f = bulirsch_el3(x, kc, p)
+   end function kyvadlo_bulirsch_el3
+
    pure subroutine kyvadlo_sncndn(argument, parameter, sn, cn, dn, am) bind(c)
       real(c_double), value :: argument, parameter
       real(c_double), intent(out) :: sn, cn, dn, am

@@ -49,6 +49,12 @@ double kyvadlo_elliptic_piinc(double n, double phi, double m); /* Pi(n; phi, m) 
 double kyvadlo_elliptic_piincc(double n, double phi, double mc); /* the same from mc */
 double kyvadlo_carlson_rj(double x, double y, double z, double p); /* R_J(x, y, z, p); p < 0: principal value */
 
+/* Bulirsch's: kc is the complementary modulus of either sign, kc**2 = 1 - m; x = tan(phi); p = 1 - n. */
+double kyvadlo_bulirsch_cel(double kc, double p, double a, double b); /* complete */
+double kyvadlo_bulirsch_el1(double x, double kc); /* F */
+double kyvadlo_bulirsch_el2(double x, double kc, double a, double b); /* E at a = 1, b = kc**2 */
+double kyvadlo_bulirsch_el3(double x, double kc, double p); /* Pi */
+
 /* sn, cn, dn and the amplitude am of u, for the parameter m or its complement. */
 void kyvadlo_sncndn(double u, double m, double *sn, double *cn, double *dn, double *am);
 void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, double *am);

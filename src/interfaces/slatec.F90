@@ -1,9 +1,9 @@
-! SLATEC's elliptic integrals (category C14) by name, order of arguments and error number, over kyvadlo's: DRC, DRF, DRD,
-! DRJ and, in single precision, RC, RF, RD, RJ. A program that calls SLATEC is linked again, not edited. A library of its
-! own (kyvadlo_slatec), so that nobody else meets these names. Described in doc/legacy_fortran.md.
+! SLATEC's elliptic integrals (category C14) by name, order of arguments and error number, over kyvadlo's: DRC, DRF,
+! DRD, DRJ and, in single precision, RC, RF, RD, RJ. A program that calls SLATEC is linked again, not edited. A library
+! of its own (kyvadlo_slatec), so that nobody else meets these names. Described in doc/legacy_fortran.md.
 !
-! IER as SLATEC documents it, tested in its order: 1 a negative argument, 3 one above UPLIM, 2 one below LOLIM; 0 fine. On
-! an error the function is 0 and SLATEC's XERMSG is called, where the program has it. NaN in gives IER 1 and NaN.
+! IER as SLATEC documents it, tested in its order: 1 a negative argument, 3 one above UPLIM, 2 one below LOLIM; 0 fine.
+! On an error the function is 0 and SLATEC's XERMSG is called, where the program has it. NaN in gives IER 1 and NaN.
 
 !> SLATEC's error message.
 module kyvadlo_slatec_message

@@ -10,7 +10,8 @@ void xermsg_(const char *library, const char *routine, const char *message, cons
 void kyvadlo_call_xermsg(const char *, size_t, const char *, size_t, int) __attribute__((visibility("hidden")));
 #endif
 
-void kyvadlo_call_xermsg(const char *routine, size_t routine_length, const char *message, size_t message_length, int code)
+void kyvadlo_call_xermsg(const char *routine, size_t routine_length, const char *message, size_t message_length,
+                         int code)
 {
 #ifdef __ELF__
    const int recoverable = 1;

@@ -108,6 +108,11 @@ int main(void)
   check(near(kyvadlo_carlson_rf(1, 1, 1), 1, 1e-15) && near(kyvadlo_carlson_rj(1, 1, 1, 1), 1, 1e-15)
         && near(kyvadlo_carlson_rd(4, 4, 4), 0.125, 1e-15) && near(kyvadlo_carlson_rc(4, 4), 0.5, 1e-15)
         && near(kyvadlo_carlson_rg(4, 4, 4), 2, 1e-15), "Carlson at equal arguments");
+  /* test/reference/make_f77_functions.py */
+  check(near(kyvadlo_bulirsch_cel(0.625, 3, 1.5, 0.25), 1.036482718796511786, 1e-15)
+        && near(kyvadlo_bulirsch_el1(1.75, 0.625), 1.176431858130082575, 1e-15)
+        && near(kyvadlo_bulirsch_el2(1.75, 0.625, 1.5, 0.25), 1.2969441775304251096, 1e-15)
+        && near(kyvadlo_bulirsch_el3(1.75, 0.625, 3), 0.78728492170397107298, 1e-15), "Bulirsch's functions");
   check(isnan(kyvadlo_elliptic_k(2)) && isinf(kyvadlo_elliptic_k(1)), "K beyond and at its pole");
   check(near(kyvadlo_elliptic_piinc(0, 0.5, 0.2), kyvadlo_elliptic_f(0.5, 0.2), 1e-15), "Pi at n = 0");
 
