@@ -1,7 +1,7 @@
 !> `kyvadlo-bench --accuracy`: what an accuracy costs in time, and whether it is kept.
 module kyvadlo_bench_accuracy
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_batch_dispatch, only: vector_level
    use kyvadlo_stopwatch, only: median, nanoseconds_since
    implicit none
@@ -55,11 +55,11 @@ contains
       call new_orbit_from_gaps(work%exact, 1.0_real128, real(9.81_real64, real128), real(top, real128), &
          real(bottom, real128), error)
       do i = 1, points
-         work%time(i) = periods*height_period(work%orbit)*modulo(0.6180339887498949_real64*i, 1.0_real64)
+         work%time(i) = periods*work%orbit%period()*modulo(0.6180339887498949_real64*i, 1.0_real64)
       end do
       do i = 1, size(accuracies)
          call new_orbit_to_accuracy(work%plans(i), start_gaps, 1.0_real64, 9.81_real64, [top], [bottom], &
-            accuracies(i), periods*height_period(work%orbit), error)
+            accuracies(i), periods*work%orbit%period(), error)
       end do
    end subroutine prepare
 
@@ -100,7 +100,7 @@ contains
 
       name = '      none  real64 vectors, all terms'
       if (row == 0) return
-      write (name, '(es10.0,2x,a)') accuracies(row), trim(choice_text(work%plans(row)))
+      write (name, '(es10.0,2x,a)') accuracies(row), trim(work%plans(row)%choice_text())
    end function row_name
 
    !> Nanoseconds a point. Real128 has no vectors and takes fewer points.
@@ -114,10 +114,10 @@ contains
       n = points
       call system_clock(start)
       if (row == 0) then
-         call locate_batch(work%orbit, work%time, work%out(:, 1), work%out(:, 2), work%out(:, 3), highest_level=level)
+         call work%orbit%locate(work%time, work%out(:, 1), work%out(:, 2), work%out(:, 3), highest_level=level)
       else
          if (allocated(work%plans(row)%wide)) n = wide_points
-         call locate_batch(work%plans(row), work%time(:n), work%out(:n, 1), work%out(:n, 2), work%out(:n, 3), &
+         call work%plans(row)%locate(work%time(:n), work%out(:n, 1), work%out(:n, 2), work%out(:n, 3), &
             highest_level=level)
       end if
       time = nanoseconds_since(start)/n
@@ -134,13 +134,13 @@ contains
 
       time = work%time(checked_every:points:checked_every)
       if (row == 0) then
-         call locate_batch(work%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3))
+         call work%orbit%locate(time, placed(:, 1), placed(:, 2), placed(:, 3))
       else
-         call locate_batch(work%plans(row), time, placed(:, 1), placed(:, 2), placed(:, 3))
+         call work%plans(row)%locate(time, placed(:, 1), placed(:, 2), placed(:, 3))
       end if
       worst = 0
       do i = 1, wide_points
-         call locate(work%exact, real(time(i), real128), place)
+         call work%exact%locate(real(time(i), real128), place)
          worst = max(worst, real(norm2(place - placed(i, :)), real64))
       end do
    end function worst_error
@@ -182,11 +182,11 @@ contains
       do i = 1, n
          if (row == 0) then
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64 + 1e-6_real64*i, 0.1_real64, error)
-            work%checksum = work%checksum + height_period(orbit)
+            work%checksum = work%checksum + orbit%period()
          else
             call new_orbit_to_accuracy(plan, start_gaps, 1.0_real64, 9.81_real64, [0.8_real64 + 1e-6_real64*i], &
                [0.1_real64], accuracies(row), 1e3_real64, error)
-            work%checksum = work%checksum + height_period(plan)
+            work%checksum = work%checksum + plan%period()
          end if
       end do
       time = nanoseconds_since(start)/n

@@ -2,7 +2,7 @@
 module kyvadlo_bench_interfaces
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64, real64
-   use kyvadlo, only: carlson_rf, carlson_rj, elliptic_f, elliptic_k, error_type, jacobi_functions, locate, &
+   use kyvadlo, only: carlson_rf, carlson_rj, elliptic_f, elliptic_k, error_type => kyvadlo_error_type, jacobi_functions, &
       new_orbit_from_heights, orbit_type
    use kyvadlo_c_functions, only: kyvadlo_carlson_rf, kyvadlo_carlson_rj, kyvadlo_elliptic_f, kyvadlo_elliptic_k, &
       kyvadlo_sncndn
@@ -97,7 +97,7 @@ contains
       call kyvset(1.0_real64, 9.80665_real64, 0.3_real64, -0.8_real64, work, work_length, ier)
       do i = 1, size(x, 1)
          select case (face)
-         case (1); call locate(orbit, 10*x(i, 1), position, velocity)
+         case (1); call orbit%locate(10*x(i, 1), position, velocity)
          case (2); call kyvadlo_locate(c_orbit, 10*x(i, 1), position, velocity)
          case (3); call kyvpos(work, 10*x(i, 1), position, velocity, ier)
          end select

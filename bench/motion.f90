@@ -3,7 +3,7 @@
 module kyvadlo_bench_motion
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
 !$ use omp_lib, only: omp_get_max_threads
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_batch_dispatch, only: vector_level
    use kyvadlo_bench_floor_baseline, only: floor_baseline => floor_loop
    use kyvadlo_bench_floor_v3, only: floor_v3 => floor_loop
@@ -132,19 +132,19 @@ contains
                call floor_v4(a, b, out(:, 1), out(:, 2), out(:, 3))
             end select
          case (direct_row)
-            call locate_batch(bench%direct, bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
+            call bench%direct%locate(bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
          case (dual_row)
-            call locate_batch(bench%dual, bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
+            call bench%dual%locate(bench%time, out(:, 1), out(:, 2), out(:, 3), highest_level=level)
          case (direct_rates_row)
-            call locate_batch(bench%direct, bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
+            call bench%direct%locate(bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
                highest_level=level)
          case (dual_rates_row)
-            call locate_batch(bench%dual, bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
+            call bench%dual%locate(bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
                highest_level=level)
          case (period_many)
-            call periods_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
+            call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
          case default
-            call periods_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), level)
+            call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), level)
          end select
       end associate
    end subroutine run_arrays
@@ -160,35 +160,35 @@ contains
       select case (row)
       case (one_direct)
          do i = 1, calls
-            call locate(bench%direct, bench%time(i), place)
+            call bench%direct%locate(bench%time(i), place)
             total = total + place(1)
          end do
       case (one_dual)
          do i = 1, calls
-            call locate(bench%dual, bench%time(i), place)
+            call bench%dual%locate(bench%time(i), place)
             total = total + place(1)
          end do
       case (one_upright)
          do i = 1, calls
-            call locate(bench%upright, bench%time(i), place)
+            call bench%upright%locate(bench%time(i), place)
             total = total + place(1)
          end do
       case (one_rates)
          do i = 1, calls
-            call locate(bench%dual, bench%time(i), place, velocity)
+            call bench%dual%locate(bench%time(i), place, velocity)
             total = total + velocity(1)
          end do
       case (one_azimuth)
          do i = 1, calls
-            total = total + azimuth(bench%dual, bench%time(i))
+            total = total + bench%dual%azimuth(bench%time(i))
          end do
       case (period_one)
          do i = 1, calls
-            total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top(i), bench%bottom(i))
+            total = total + orbit_period_from_gaps(1.0_real64, 9.81_real64, bench%top(i), bench%bottom(i))
          end do
       case default
          do i = 1, calls
-            total = total + period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), bench%bottom_upright(i))
+            total = total + orbit_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), bench%bottom_upright(i))
          end do
       end select
    end subroutine run_calls
@@ -211,7 +211,7 @@ contains
          case default
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-16_real64*step, error)
          end select
-         total = total + height_period(orbit)
+         total = total + orbit%period()
       end do
    end subroutine run_set_ups
 
@@ -284,13 +284,13 @@ contains
          do scenario = 1, 2
             n = scenario_points(scenario)
             call new_orbit_from_heights(orbit, 1.0_real64, 1.0_real64, peers(k)%upper, peers(k)%lower, failure)
-            period = height_period(orbit)
+            period = orbit%period()
             time(:n) = times_of(scenario, n)
             do pass = 1, passes
                call measure(bench, sine_row, 0, sine(pass))
                call system_clock(start)
                call new_orbit_from_heights(orbit, 1.0_real64, 1.0_real64, peers(k)%upper, peers(k)%lower, failure)
-               call locate_batch(orbit, time(:n), x(:n), y(:n), z(:n))
+               call orbit%locate(time(:n), x(:n), y(:n), z(:n))
                ours(pass) = nanoseconds_since(start)/n
             end do
             error = worst_error(0.0_real64)
@@ -336,11 +336,11 @@ contains
          call new_orbit_from_heights(exact, 1.0_real128, 1.0_real128, real(peers(k)%upper, real128), &
             real(peers(k)%lower, real128), failure)
          worst_error = 0
-         call locate(exact, later*height_period(exact), turn)
+         call exact%locate(later*exact%period(), turn)
          turn(:2) = turn(:2)/norm2(turn(:2))
          do j = 1, n, 10
-            t = time(j) + later*height_period(exact)
-            call locate(exact, t, place)
+            t = time(j) + later*exact%period()
+            call exact%locate(t, place)
             if (later > 0) place(:2) = [place(1)*turn(1) + place(2)*turn(2), place(2)*turn(1) - place(1)*turn(2)]
             worst_error = max(worst_error, real(norm2(place - [x(j), y(j), z(j)]), real64))
          end do
@@ -373,10 +373,10 @@ contains
       call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64, error)
       do pass = 1, passes
          call system_clock(start)
-         call locate_batch(orbit, time, x, y, z)
+         call orbit%locate(time, x, y, z)
          one(pass) = nanoseconds_since(start)/many
          call system_clock(start)
-         call locate_batch(orbit, time, x, y, z, threads=0)
+         call orbit%locate(time, x, y, z, threads=0)
          all(pass) = nanoseconds_since(start)/many
       end do
       write (unit, '(/,a,i0,a,i0,a,f6.2,a,f6.2,a)') 'Positions at ', many, ' times on ', threads, &

@@ -1,7 +1,7 @@
 !> `kyvadlo-bench --scenes`: what a sample of a simulated scene costs beside the closed-form kernel alone.
 module kyvadlo_bench_scenes
    use, intrinsic :: iso_fortran_env, only: int64
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_sample_block, only: block_samples
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
@@ -98,7 +98,7 @@ contains
       end select
    end subroutine measure
 
-   !> The kernel of `locate_batch` over ascending times, block by block.
+   !> The kernel of `locate` over ascending times, block by block.
    subroutine run_kernel(with_rates, time, checksum)
       logical, intent(in) :: with_rates
       real(wp), intent(out) :: time
@@ -117,10 +117,10 @@ contains
       call system_clock(start)
       do block = 1, int(samples/block_samples)
          if (with_rates) then
-            call locate_batch(orbit, values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), &
+            call orbit%locate(values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), &
                values(:, 6), values(:, 7))
          else
-            call locate_batch(orbit, values(:, 1), values(:, 2), values(:, 3), values(:, 4))
+            call orbit%locate(values(:, 1), values(:, 2), values(:, 3), values(:, 4))
          end if
       end do
       time = nanoseconds_since(start)/samples

@@ -1,7 +1,8 @@
 !> The elliptic functions of kyvadlo: kinds, arrays, complements, set-up once.
 program elliptic_functions
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo
+   use kyvadlo, only: cubic_roots, elliptic_f, elliptic_k, elliptic_kc, elliptic_pi, jacobi_evaluate, jacobi_type, new_jacobi, &
+      theta_derivative, theta_function
    implicit none
    type(jacobi_type) :: jacobi
    real(real64) :: sn(3), cn(3), dn(3), roots(3)
@@ -18,7 +19,7 @@ program elliptic_functions
 
    ! The parameter set up once, many arguments
    jacobi = new_jacobi(0.5_real64)
-   call evaluate_jacobi(jacobi, [0.5_real64, 1.0_real64, 100.0_real64], sn, cn, dn)
+   call jacobi_evaluate(jacobi, [0.5_real64, 1.0_real64, 100.0_real64], sn, cn, dn)
    print '(a, 3f17.12)', 'sn(u, 1/2) =', sn
 
    ! Principal value, for a characteristic above 1

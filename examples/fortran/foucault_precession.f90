@@ -6,8 +6,8 @@
 !> Prints the table, and writes foucault_precession.dat and foucault_precession.gp: `gnuplot foucault_precession.gp` draws
 !> foucault_precession.png.
 program foucault_precession
-   use, intrinsic :: iso_fortran_env, only: error_unit
-   use kyvadlo, wp => real64
+   use, intrinsic :: iso_fortran_env, only: error_unit, wp => real64
+   use kyvadlo, only: kyvadlo_error_type, new_orbit_from_rises, orbit_type
    implicit none
    real(wp), parameter :: length = 67, gravity = 9.80665_wp, miss = 0.01_wp
    real(wp), parameter :: pi = acos(-1.0_wp)
@@ -15,7 +15,7 @@ program foucault_precession
    !> The sidereal rotation of the Earth, 7.292115e-5 rad/s (IERS Conventions 2010), times the sine of 48.85 degrees.
    real(wp), parameter :: plane_rate = 7.292115e-5_wp*sin(48.85_wp*pi/180)*degrees_per_hour
    type(orbit_type) :: orbit
-   type(error_type), allocatable :: error
+   type(kyvadlo_error_type), allocatable :: error
    real(wp) :: amplitude, exact, airy
    integer :: data_file, script, i
 
@@ -30,7 +30,7 @@ program foucault_precession
          write (error_unit, '(a)') error%message
          error stop
       end if
-      exact = apsidal_rate(orbit)*degrees_per_hour
+      exact = orbit%apsidal_rate()*degrees_per_hour
       airy = 3*sqrt(gravity/length)*amplitude*miss/(8*length**2)*degrees_per_hour
       write (data_file, '(f6.2, 2es24.16)') amplitude, exact, airy
       if (mod(i, 4) == 0) print '(f13.2, 2f15.8)', amplitude, exact, airy

@@ -2,11 +2,11 @@
 !>
 !>    orbit_to_csv [UPPER LOWER [PERIODS [ROWS_PER_PERIOD]]]      heights in metres, of a pendulum of 1 m
 program orbit_to_csv
-   use, intrinsic :: iso_fortran_env, only: error_unit
-   use kyvadlo, wp => real64
+   use, intrinsic :: iso_fortran_env, only: error_unit, wp => real64
+   use kyvadlo, only: kyvadlo_error_type, new_orbit_from_heights, orbit_type
    implicit none
    type(orbit_type) :: orbit
-   type(error_type), allocatable :: error
+   type(kyvadlo_error_type), allocatable :: error
    real(wp) :: upper, lower
    real(wp), allocatable :: time(:), position(:, :), velocity(:, :)
    integer :: periods, rows, i
@@ -25,9 +25,9 @@ program orbit_to_csv
    end if
 
    ! Evaluate many: whole arrays of times go to the vector kernels.
-   time = [(height_period(orbit)*i/rows, i = 0, periods*rows)]
+   time = [(orbit%period()*i/rows, i = 0, periods*rows)]
    allocate (position(3, size(time)), velocity(3, size(time)))
-   call locate_many(orbit, time, position, velocity)
+   call orbit%locate(time, position, velocity)
 
    print '(a)', 't,x,y,z,vx,vy,vz'
    do i = 1, size(time)

@@ -2,8 +2,8 @@
 !>
 !>    sweep [ORBITS]
 program sweep
-   use, intrinsic :: iso_fortran_env, only: error_unit, int64
-   use kyvadlo, wp => real64
+   use, intrinsic :: iso_fortran_env, only: error_unit, int64, wp => real64
+   use kyvadlo, only: kyvadlo_error_type, new_orbit_from_gaps, orbit_type
    implicit none
    real(wp), parameter :: pi = acos(-1.0_wp)
    real(wp), allocatable :: angle(:)
@@ -48,7 +48,7 @@ contains
       real(wp), parameter :: steps(2) = [0.7548776662466927_wp, 0.5698402909980532_wp]
       real(wp) :: gaps(2), top_gap, bottom_gap
       type(orbit_type) :: orbit
-      type(error_type), allocatable :: error
+      type(kyvadlo_error_type), allocatable :: error
 
       gaps = 2*modulo(i*steps, 1.0_wp)
       ! l - z1 and l + z2: an orbit needs bottom_gap < top_gap <= 2 l - bottom_gap.
@@ -59,6 +59,6 @@ contains
          top_gap = 2 - minval(gaps)
       end if
       call new_orbit_from_gaps(orbit, 1.0_wp, 9.80665_wp, top_gap, bottom_gap, error)
-      angle = apsidal_angle(orbit)
+      angle = orbit%apsidal_angle()
    end function apsidal_angle_of
 end program sweep

@@ -1,11 +1,12 @@
 !> Does this build work? Values in three kinds, an orbit, arrays. The tests of the digits are pFUnit files, which fpm cannot run.
 program smoke
-   use kyvadlo
+   use, intrinsic :: iso_fortran_env, only: real32, real64, real128
+   use kyvadlo, only: elliptic_k, kyvadlo_error_type, new_orbit_from_heights, orbit_type
    implicit none
    type(orbit_type) :: orbit
    type(orbit_type_real128) :: wide
    real(real128) :: exact(3)
-   type(error_type), allocatable :: error
+   type(kyvadlo_error_type), allocatable :: error
    real(real64) :: time(1000), position(3, 1000), velocity(3, 1000)
    integer :: i
 
@@ -18,22 +19,22 @@ program smoke
    call new_orbit_from_heights(orbit, 1.0_real64, 9.80665_real64, 0.3_real64, -0.8_real64, error)
    if (allocated(error)) error stop 'no orbit'
    ! Quadrature of dz/sqrt(2 g/l**2 (z1 - z)(z - z2)(z3 - z)) by mpmath
-   call check('period', height_period(orbit), 1.08679328201239380702_real64, 1e-14_real64)
+   call check('period', orbit%period(), 1.08679328201239380702_real64, 1e-14_real64)
    time = [(0.01_real64*i, i = 1, size(time))]
-   call locate_many(orbit, time, position, velocity)
+   call orbit%locate(time, position, velocity)
    do i = 1, size(time)
       call check('on the sphere', sum(position(:, i)**2), 1.0_real64, 1e-14_real64)
-      call check('energy', sum(velocity(:, i)**2)/2 + 9.80665_real64*position(3, i), orbit_energy(orbit), 1e-13_real64)
-      call check('momentum', position(1, i)*velocity(2, i) - position(2, i)*velocity(1, i), orbit_momentum(orbit), 1e-13_real64)
+      call check('energy', sum(velocity(:, i)**2)/2 + 9.80665_real64*position(3, i), orbit%energy(), 1e-13_real64)
+      call check('momentum', position(1, i)*velocity(2, i) - position(2, i)*velocity(1, i), orbit%momentum(), 1e-13_real64)
    end do
 
    ! A place after a thousand million periods: of no use unless T is kept in two parts, which flags could spoil.
    call new_orbit_from_heights(wide, 1.0_real128, real(9.80665_real64, real128), real(0.3_real64, real128), &
       real(-0.8_real64, real128), error)
    do i = 1, size(time)
-      time(i) = (1e9_real64 + i/7.0_real64)*height_period(orbit)
-      call locate(orbit, time(i), position(:, i))
-      call locate(wide, real(time(i), real128), exact)
+      time(i) = (1e9_real64 + i/7.0_real64)*orbit%period()
+      call orbit%locate(time(i), position(:, i))
+      call wide%locate(real(time(i), real128), exact)
       call check('place after 1e9 periods', maxval(abs(position(:, i) - real(exact, real64))), 0.0_real64, 4e-15_real64)
    end do
 

@@ -1,7 +1,7 @@
 !> The words of the command line, checked against `kyvadlo_commands`, and the help pages made from it.
 module kyvadlo_command_line
    use, intrinsic :: iso_fortran_env, only: real64
-   use kyvadlo_accuracy, only: coarsest_accuracy, finest_quad
+   use kyvadlo_accuracy, only: accuracy_coarsest, accuracy_finest_quad
    use kyvadlo_commands, only: commands, examples, explanations, options
    use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_status, only: code_input, error_type, fail
@@ -199,9 +199,9 @@ contains
       call read_number(text, accuracy, what)
       if (allocated(what)) then
          call fail(error, code_input, 'option '//name//' must be a number, got '//quoted(text)//' ('//what//')')
-      else if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
-         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(finest_quad, 2)//' and '// &
-            digits_text(coarsest_accuracy, 1)//', got '//quoted(text))
+      else if (.not. (accuracy_finest_quad <= accuracy .and. accuracy <= accuracy_coarsest)) then
+         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(accuracy_finest_quad, 2)//' and '// &
+            digits_text(accuracy_coarsest, 1)//', got '//quoted(text))
       end if
       do i = 1, size(others)
          if (option_given(arguments, trim(others(i))) .and. .not. allocated(error)) &

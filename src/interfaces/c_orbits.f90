@@ -5,7 +5,8 @@
 !> the seal first, and of a struct that was never set up, or changed, it answers NaN or a code.
 module kyvadlo_c_orbits
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t, c_char, c_null_char, c_f_pointer, c_loc
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
+   use kyvadlo_status, only: fail
    use kyvadlo_numbers_real64, only: quiet_nan
    implicit none
    public
@@ -129,182 +130,230 @@ contains
 
    real(c_double) function kyvadlo_height_period(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = height_period(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%period()
    end function kyvadlo_height_period
 
    real(c_double) function kyvadlo_modulus(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = modulus(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%modulus()
    end function kyvadlo_modulus
 
    real(c_double) function kyvadlo_complementary_modulus(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = complementary_modulus(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%complementary_modulus()
    end function kyvadlo_complementary_modulus
 
    real(c_double) function kyvadlo_quarter_period(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = quarter_period(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%quarter_period()
    end function kyvadlo_quarter_period
 
    real(c_double) function kyvadlo_nome(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = nome(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%nome()
    end function kyvadlo_nome
 
    real(c_double) function kyvadlo_phase_rate(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = phase_rate(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%phase_rate()
    end function kyvadlo_phase_rate
 
    real(c_double) function kyvadlo_azimuth_rate(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = azimuth_rate(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%azimuth_rate()
    end function kyvadlo_azimuth_rate
 
    real(c_double) function kyvadlo_azimuth_per_period(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = azimuth_per_period(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%azimuth_per_period()
    end function kyvadlo_azimuth_per_period
 
    real(c_double) function kyvadlo_apsidal_advance(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = apsidal_advance(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%apsidal_advance()
    end function kyvadlo_apsidal_advance
 
    real(c_double) function kyvadlo_apsidal_angle(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = apsidal_angle(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%apsidal_angle()
    end function kyvadlo_apsidal_angle
 
    real(c_double) function kyvadlo_orbit_energy(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = orbit_energy(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%energy()
    end function kyvadlo_orbit_energy
 
    real(c_double) function kyvadlo_orbit_momentum(orbit) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = orbit_momentum(seen(orbit))
+      if (has_seal(orbit) /= 0) y = own%momentum()
    end function kyvadlo_orbit_momentum
 
    real(c_double) function kyvadlo_height(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = height(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%height(t)
    end function kyvadlo_height
 
    real(c_double) function kyvadlo_rise(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = rise(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%rise(t)
    end function kyvadlo_rise
 
    real(c_double) function kyvadlo_top_clearance(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = top_clearance(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%gap(t)
    end function kyvadlo_top_clearance
 
    real(c_double) function kyvadlo_azimuth(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = azimuth(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%azimuth(t)
    end function kyvadlo_azimuth
 
    real(c_double) function kyvadlo_vertical_speed(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = vertical_speed(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%vertical_speed(t)
    end function kyvadlo_vertical_speed
 
    real(c_double) function kyvadlo_azimuthal_speed(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = azimuthal_speed(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%azimuthal_speed(t)
    end function kyvadlo_azimuthal_speed
 
    real(c_double) function kyvadlo_speed(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = speed(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%speed(t)
    end function kyvadlo_speed
 
    real(c_double) function kyvadlo_rod_force(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = rod_force(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%rod_force(t)
    end function kyvadlo_rod_force
 
    real(c_double) function kyvadlo_time_to_height(orbit, z) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: z
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = time_to_height(seen(orbit), z)
+      if (has_seal(orbit) /= 0) y = own%time_to_height(z)
    end function kyvadlo_time_to_height
 
    real(c_double) function kyvadlo_time_to_rise(orbit, rise_there) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: rise_there
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = time_to_rise(seen(orbit), rise_there)
+      if (has_seal(orbit) /= 0) y = own%time_to_rise(rise_there)
    end function kyvadlo_time_to_rise
 
    real(c_double) function kyvadlo_time_to_azimuth(orbit, phi) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: phi
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = time_to_azimuth(seen(orbit), phi)
+      if (has_seal(orbit) /= 0) y = own%time_to_azimuth(phi)
    end function kyvadlo_time_to_azimuth
 
    real(c_double) function kyvadlo_next_turning_time(orbit, t) result(y) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: t
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       y = quiet_nan
-      if (has_seal(orbit) /= 0) y = next_turning_time(seen(orbit), t)
+      if (has_seal(orbit) /= 0) y = own%next_turning_time(t)
    end function kyvadlo_next_turning_time
 
    function kyvadlo_orbit_from_state(length, gravity, position, velocity, orbit, message, capacity) result(code) bind(c)
@@ -366,16 +415,18 @@ contains
       type(c_orbit_type), intent(in), target :: orbit
       real(c_double), value :: time
       real(c_double), intent(out) :: position(3), velocity(3)
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       if (has_seal(orbit) /= 0) then
-         call locate(seen(orbit), time, position, velocity)
+         call own%locate(time, position, velocity)
       else
          position = quiet_nan
          velocity = quiet_nan
       end if
    end subroutine kyvadlo_locate
 
-   !> By the vector kernels, on the caller's thread: `locate_many`.
+   !> By the vector kernels, on the caller's thread.
    subroutine kyvadlo_locate_many(orbit, count, times, positions, velocities) bind(c)
       type(c_orbit_type), intent(in), target :: orbit
       integer(c_size_t), value :: count
@@ -392,10 +443,12 @@ contains
       real(c_double), intent(in) :: times(count)
       real(c_double), intent(out) :: positions(3, count), velocities(3, count)
       integer(c_int), value :: threads
-      !> `locate_many` counts in default integers: longer arrays go in pieces.
+      !> `locate` counts in default integers: longer arrays go in pieces.
       integer(c_size_t), parameter :: longest = 2**28
       integer(c_size_t) :: start, last
+      type(orbit_type), pointer :: own
 
+      own => seen(orbit)
       if (has_seal(orbit) == 0) then
          positions = quiet_nan
          velocities = quiet_nan
@@ -403,8 +456,8 @@ contains
       end if
       do start = 1, count, longest
          last = min(count, start + longest - 1)
-         call locate_many(seen(orbit), times(start:last), positions(:, start:last), velocities(:, start:last), &
-            int(threads))
+         call own%locate(times(start:last), positions(:, start:last), velocities(:, start:last), &
+            threads=int(threads))
       end do
    end subroutine kyvadlo_locate_many_threads
 

@@ -5,7 +5,7 @@
 !> calls them without a module.
 module kyvadlo_f77_pendulum
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_f_pointer, c_loc
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    implicit none
    private
    public :: kyvper, kyvroo, kyvset, kyvgap, kyvene, kyvsta, kyvpos, kyvmny, kyvmnv, kyvazi
@@ -33,7 +33,7 @@ contains
 
       call new_orbit_from_heights(orbit, length, gravity, upper, lower, error)
       ier = code_of(error)
-      period = height_period(orbit)
+      period = orbit%period()
    end subroutine kyvper
 
    !> CALL KYVROO(EL, G, C1, C2, Z, GAP, IER): the turning heights z1, z2 and the outer root z3 of the cubic (5), and
@@ -113,7 +113,12 @@ contains
 
       ier = code_of_work(work)
       if (ier == 0) then
-         call locate(orbit_in(work), time, position, velocity)
+         block
+            type(orbit_type), pointer :: own
+
+            own => orbit_in(work)
+            call own%locate(time, position, velocity)
+         end block
       else
          position = nan
          velocity = nan
@@ -131,7 +136,12 @@ contains
       if (n < 0) then
          ier = ier_count
       else if (ier == 0) then
-         call locate_batch(orbit_in(work), time(:n), x(:n), y(:n), z(:n))
+         block
+            type(orbit_type), pointer :: own
+
+            own => orbit_in(work)
+            call own%locate(time(:n), x(:n), y(:n), z(:n))
+         end block
       else
          x(:n) = nan
          y(:n) = nan
@@ -150,7 +160,12 @@ contains
       if (n < 0) then
          ier = ier_count
       else if (ier == 0) then
-         call locate_batch(orbit_in(work), time(:n), x(:n), y(:n), z(:n), vx(:n), vy(:n), vz(:n))
+         block
+            type(orbit_type), pointer :: own
+
+            own => orbit_in(work)
+            call own%locate(time(:n), x(:n), y(:n), z(:n), vx(:n), vy(:n), vz(:n))
+         end block
       else
          x(:n) = nan
          y(:n) = nan
@@ -169,7 +184,12 @@ contains
 
       ier = code_of_work(work)
       phi = nan
-      if (ier == 0) phi = azimuth(orbit_in(work), time)
+      block
+         type(orbit_type), pointer :: own
+
+         own => orbit_in(work)
+         if (ier == 0) phi = own%azimuth(time)
+      end block
    end subroutine kyvazi
 
    !> Puts an orbit into WORK, if the set-up found one and WORK is long enough.

@@ -8,7 +8,7 @@
 !>     grade 2      real32 vectors, harmonics 0 to 2
 !>     grade 3      real64 vectors, harmonics 0 to 2, shorter sines
 !>     grade 4      real64 vectors, harmonics 0 to 3, shorter sines
-!>     grade_full   real64 vectors as in `locate_batch` without an accuracy
+!>     grade_full   real64 vectors as in `locate` without an accuracy
 !>     real128      the scalar form
 !>
 !> Grades 1 to 4 reduce the time by the period in plain real64, which limits the span.
@@ -22,10 +22,9 @@ module kyvadlo_accuracy
    use, intrinsic :: iso_fortran_env, only: real128
    use kyvadlo_orbit_real128, only: orbit_type_real128 => orbit_type
 #endif
-   use kyvadlo_accuracy_bounds, only: error_bounds, finest_double, finest_quad, half_periods
-   use kyvadlo_batch, only: check_sizes, locate_batch
+   use kyvadlo_accuracy_bounds, only: error_bounds, accuracy_finest_double, accuracy_finest_quad, half_periods
+   use kyvadlo_orbit, only: check_sizes
    use kyvadlo_batch_constants
-   use kyvadlo_motion, only: height_period
    use kyvadlo_motion_kinds, only: motion_none
    use kyvadlo_numbers_real64, only: is_nan, quiet_nan
    use kyvadlo_orbit_real64, only: orbit_type
@@ -33,11 +32,11 @@ module kyvadlo_accuracy
    use kyvadlo_status, only: code_domain, error_type, fail
    implicit none
    private
-   public :: accurate_orbit_type, new_orbit_to_accuracy, locate_batch, height_period
-   public :: finest_double, finest_quad, coarsest_accuracy, choice_text, kind_text
+   public :: accurate_orbit_type, new_orbit_to_accuracy
+   public :: accuracy_finest_double, accuracy_finest_quad, accuracy_coarsest
 
    !> A coarser wish is taken for a mistake: 3 for 1e-3.
-   real(real64), parameter :: coarsest_accuracy = 0.1_real64
+   real(real64), parameter :: accuracy_coarsest = 0.1_real64
    !> For finer wishes the set-up keeps T in two parts at once; for coarser ones only if the rounding of T spoils them.
    real(real64), parameter :: finest_rough = 1e-11_real64
    !> Points computed at a time where they must be copied.
@@ -50,29 +49,28 @@ module kyvadlo_accuracy
       real(real64) :: accuracy = 0                         !! As asked for
       real(real64) :: span = 0                             !! As asked for [s]
       real(real64) :: bound = 0                            !! Bound of the position error by the error model, in l
+   contains
+      procedure, non_overridable :: period => period_to_accuracy
+      procedure, non_overridable :: choice_text, kind_text
+      procedure, non_overridable, private :: locate_to_accuracy
+      generic :: locate => locate_to_accuracy
+#ifndef KYVADLO_NO_REAL128
+      procedure, non_overridable, private :: locate_to_accuracy_real128
+      generic :: locate => locate_to_accuracy_real128
+#endif
    end type accurate_orbit_type
 
    interface new_orbit_to_accuracy
       module procedure to_accuracy_from_start, to_accuracy_from_orbit
    end interface new_orbit_to_accuracy
 
-   interface locate_batch
-      module procedure locate_to_accuracy
-#ifndef KYVADLO_NO_REAL128
-      module procedure locate_to_accuracy_real128
-#endif
-   end interface locate_batch
-
-   interface height_period
-      module procedure period_to_accuracy
-   end interface height_period
-
 contains
 
-   !> Orbit of any start (`start_heights` and so on, see kyvadlo_start) that keeps an accuracy. The numbers of the start count as
-   !> they are, in binary. Needs finest_quad <= accuracy <= coarsest_accuracy, span >= 0, and times that the kind can still
-   !> tell apart.
-   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error, gravity_rest)
+   !> Orbit of any start (`start_heights` and so on, see kyvadlo_start) that keeps an accuracy. The numbers of the start
+   !> count as they are, in binary. Needs accuracy_finest_quad <= accuracy <= accuracy_coarsest, span >= 0, and times
+   !> that the kind can still tell apart.
+   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error, &
+      gravity_rest)
       type(accurate_orbit_type), intent(out) :: plan
       integer, intent(in) :: start                       !! One of the `start_*` constants
       real(real64), intent(in) :: length, gravity        !! l [m], g [m/s2]
@@ -99,9 +97,10 @@ contains
          call choose(plan, .false., is_kept)
          if (is_kept) return
 #ifdef KYVADLO_NO_REAL128
-         call fail(error, code_domain, 'new_orbit_to_accuracy: this build has no quadruple precision, and double precision '// &
-            'keeps an accuracy of '//text(finest_double)//' and 2**52 half periods, got accuracy '//text(accuracy)//' and '// &
-            text(half_periods(plan%orbit, plan%span))//' half periods')
+         call fail(error, code_domain, &
+            'new_orbit_to_accuracy: this build has no quadruple precision, and double precision '// &
+            'keeps an accuracy of '//text(accuracy_finest_double)//' and 2**52 half periods, got accuracy '// &
+            text(accuracy)//' and '// text(half_periods(plan%orbit, plan%span))//' half periods')
 #else
          allocate (plan%wide)
          call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128) + rest, real(first, real128), &
@@ -126,13 +125,15 @@ contains
       if (allocated(error)) then
          continue
       else if (orbit%kernel%grade /= grade_full) then
-         call fail(error, code_domain, 'new_orbit_to_accuracy: need an orbit without an accuracy, got '//choice_text(plan))
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need an orbit without an accuracy, got '// &
+            plan%choice_text())
       else
          call choose(plan, .false., is_kept)
          if (is_kept) return
          call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &
-            text(finest_double)//' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//text(accuracy)// &
-            ' and '//text(half_periods(plan%orbit, plan%span))//' half periods')
+            text(accuracy_finest_double)// &
+            ' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//text(accuracy)// ' and '// &
+            text(half_periods(plan%orbit, plan%span))//' half periods')
       end if
       call spoil(plan)
    end subroutine to_accuracy_from_orbit
@@ -147,9 +148,9 @@ contains
       plan%span = span
       if (is_nan(accuracy)) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need an accuracy, got NaN')
-      else if (.not. (finest_quad <= accuracy .and. accuracy <= coarsest_accuracy)) then
-         call fail(error, code_domain, 'new_orbit_to_accuracy: need '//text(finest_quad)//' <= accuracy <= '// &
-            text(coarsest_accuracy)//', got '//text(accuracy))
+      else if (.not. (accuracy_finest_quad <= accuracy .and. accuracy <= accuracy_coarsest)) then
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need '//text(accuracy_finest_quad)// &
+            ' <= accuracy <= '// text(accuracy_coarsest)//', got '//text(accuracy))
       else if (is_nan(span)) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need a span, got NaN')
       else if (.not. plan%span >= 0) then
@@ -181,8 +182,8 @@ contains
       is_kept = plan%bound <= plan%accuracy .and. half_periods(plan%orbit, plan%span) <= 1/epsilon(1.0_real64)
    end subroutine choose
 
-   !> Leaves the harmonics above `highest` out of a kernel. In powers of u the highest power belongs to the highest harmonic
-   !> alone, which is taken off with its lower powers too.
+   !> Leaves the harmonics above `highest` out of a kernel. In powers of u the highest power belongs to the highest
+   !> harmonic alone, which is taken off with its lower powers too.
    pure subroutine drop_harmonics(b, highest)
       type(batch_type), intent(inout) :: b
       integer, intent(in) :: highest
@@ -223,8 +224,8 @@ contains
       end subroutine drop
    end subroutine drop_harmonics
 
-   !> Numbers that real32 would flush, or whose squares it would, are nothing beside the accuracy; in hyperbolic sums they grow, and
-   !> only what real32 cannot hold goes.
+   !> Numbers that real32 would flush, or whose squares it would, are nothing beside the accuracy; in hyperbolic sums
+   !> they grow, and only what real32 cannot hold goes.
    pure subroutine clear_smallest(kernel)
       type(batch_type), intent(inout) :: kernel
       real(real64) :: least
@@ -254,7 +255,7 @@ contains
       type(accurate_orbit_type), intent(inout) :: plan
       type(error_type), allocatable, intent(out) :: error
 
-      plan%bound = finest_quad
+      plan%bound = accuracy_finest_quad
       if (half_periods(plan%orbit, plan%span) <= real(1/epsilon(1.0_real128), real64)) return
       call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**112 half periods, got '// &
          text(half_periods(plan%orbit, plan%span)))
@@ -271,7 +272,7 @@ contains
 
    !> What was chosen, for people, blanks behind: 'real32 vectors, harmonics 0 to 2'.
    pure function choice_text(plan) result(words)
-      type(accurate_orbit_type), intent(in) :: plan
+      class(accurate_orbit_type), intent(in) :: plan
       character(len=34) :: words
 
       associate (b => plan%orbit%kernel)
@@ -292,7 +293,7 @@ contains
 
    !> The kind that computes the places.
    pure function kind_text(plan) result(name)
-      type(accurate_orbit_type), intent(in) :: plan
+      class(accurate_orbit_type), intent(in) :: plan
       character(len=7) :: name
 
       name = 'real64'
@@ -313,10 +314,10 @@ contains
       text = adjustl(text)
    end function text
 
-   !> Positions (and velocities) at many times to the accuracy of the set-up: as `locate_batch` of an orbit. Rounding to real64 may
-   !> add half a last digit of a coordinate where the accuracy is finer than that.
+   !> Positions (and velocities) at many times to the accuracy of the set-up: as `locate` of an orbit. Rounding to
+   !> real64 may add half a last digit of a coordinate where the accuracy is finer than that.
    subroutine locate_to_accuracy(plan, time, x, y, z, vx, vy, vz, highest_level, threads)
-      type(accurate_orbit_type), intent(in) :: plan
+      class(accurate_orbit_type), intent(in) :: plan
       real(real64), intent(in) :: time(:)                             !! [s] (n)
       real(real64), intent(out), dimension(:) :: x, y, z              !! [m] (n)
       real(real64), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
@@ -327,7 +328,7 @@ contains
       logical :: fit
 
       if (.not. allocated(plan%wide)) then
-         call locate_batch(plan%orbit, time, x, y, z, vx, vy, vz, highest_level, threads)
+         call plan%orbit%locate(time, x, y, z, vx, vy, vz, highest_level, threads)
          return
       end if
       call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
@@ -337,13 +338,13 @@ contains
          last = min(size(time), first + strip - 1)
          n = last - first + 1
          if (present(vx)) then
-            call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
+            call plan%wide%locate(real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
                placed(:n, 4), placed(:n, 5), placed(:n, 6), threads=threads)
             vx(first:last) = real(placed(:n, 4), real64)
             vy(first:last) = real(placed(:n, 5), real64)
             vz(first:last) = real(placed(:n, 6), real64)
          else
-            call locate_batch(plan%wide, real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
+            call plan%wide%locate(real(time(first:last), real128), placed(:n, 1), placed(:n, 2), placed(:n, 3), &
                threads=threads)
          end if
          x(first:last) = real(placed(:n, 1), real64)
@@ -355,7 +356,7 @@ contains
 #ifndef KYVADLO_NO_REAL128
    !> The same without rounding to real64. The times are real64: their exact values count.
    subroutine locate_to_accuracy_real128(plan, time, x, y, z, vx, vy, vz, threads)
-      type(accurate_orbit_type), intent(in) :: plan
+      class(accurate_orbit_type), intent(in) :: plan
       real(real64), intent(in) :: time(:)                              !! [s] (n)
       real(real128), intent(out), dimension(:) :: x, y, z              !! [m] (n)
       real(real128), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
@@ -364,20 +365,20 @@ contains
       logical :: fit
 
       if (allocated(plan%wide)) then
-         call locate_batch(plan%wide, real(time, real128), x, y, z, vx, vy, vz, threads=threads)
+         call plan%wide%locate(real(time, real128), x, y, z, vx, vy, vz, threads=threads)
          return
       end if
       call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
       if (.not. fit) return
       allocate (placed(size(time), 6))
       if (present(vx)) then
-         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), placed(:, 4), placed(:, 5), placed(:, 6), &
-            threads=threads)
+         call plan%orbit%locate(time, placed(:, 1), placed(:, 2), placed(:, 3), placed(:, 4), placed(:, 5), &
+            placed(:, 6), threads=threads)
          vx = placed(:, 4)
          vy = placed(:, 5)
          vz = placed(:, 6)
       else
-         call locate_batch(plan%orbit, time, placed(:, 1), placed(:, 2), placed(:, 3), threads=threads)
+         call plan%orbit%locate(time, placed(:, 1), placed(:, 2), placed(:, 3), threads=threads)
       end if
       x = placed(:, 1)
       y = placed(:, 2)
@@ -387,9 +388,9 @@ contains
 
    !> T, (16) [s], rounded to real64: of real128 accuracy in `plan%wide`.
    elemental real(real64) function period_to_accuracy(plan) result(period)
-      type(accurate_orbit_type), intent(in) :: plan
+      class(accurate_orbit_type), intent(in) :: plan
 
-      period = height_period(plan%orbit)
+      period = plan%orbit%period()
    end function period_to_accuracy
 
 end module kyvadlo_accuracy

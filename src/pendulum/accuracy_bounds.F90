@@ -8,17 +8,16 @@ module kyvadlo_accuracy_bounds
    use, intrinsic :: iso_fortran_env, only: real128
 #endif
    use kyvadlo_batch_constants
-   use kyvadlo_motion, only: height_period
    use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_pairs, only: operator(+), value
    implicit none
    private
-   public :: error_bounds, half_periods, finest_double, finest_quad
+   public :: error_bounds, half_periods, accuracy_finest_double, accuracy_finest_quad
 
    !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are promised.
-   real(real64), parameter :: finest_double = 16*epsilon(1.0_real64)
+   real(real64), parameter :: accuracy_finest_double = 16*epsilon(1.0_real64)
    !> The same of real128, whose series and pairs are the same to its own epsilon; with four times the room.
-   real(real64), parameter :: finest_quad = min(finest_double, real(64*epsilon(1.0_real128), real64))
+   real(real64), parameter :: accuracy_finest_quad = min(accuracy_finest_double, real(64*epsilon(1.0_real128), real64))
    !> What real32 adds by rounding once the phase is reduced, in l: 3.3 eps at worst in 27000 random orbits of every regime and 24
    !> places of each; 6 leave room.
    real(real64), parameter :: narrow_rounding = 6*real(epsilon(1.0_real32), real64)
@@ -45,7 +44,7 @@ contains
       integer :: grade
 
       bounds = huge(bounds)
-      if (.not. is_rough) bounds(grade_full) = finest_double
+      if (.not. is_rough) bounds(grade_full) = accuracy_finest_double
       associate (b => orbit%kernel)
          if (b%form == form_scalar) return
          halves = half_periods(orbit, span) + abs(orbit%start_phase%high)*b%per_half
@@ -54,14 +53,14 @@ contains
          ! What a half period moves the bob at most, in l. In half periods the reduced phase is off by half an eps of the count
          ! for each of: 2/T, the product, the sum, the start's product. The angle of the frame, in quarter turns, by as much for
          ! each of: the advance, the product, the sum.
-         travel = greatest_speed(orbit)*(height_period(orbit)/2)/orbit%length
+         travel = greatest_speed(orbit)*(orbit%period()/2)/orbit%length
          reduction = halves*epsilon(1.0_real64)*(2*travel + 1.5_real64*half_pi*abs(sum(b%advance)))
          ! The stretch of a half period is pi K/2K', K at least; half of the advance falls to it.
          if (is_rough) reduction = reduction + rough_rounding*halves*epsilon(1.0_real64)*(travel + half_pi*(1 + b%stretch))
          do grade = 1, most_grade
             if (grade_is_narrow(grade) .and. b%stretch > most_stretch) cycle
             error = merge(grade_cosh_error(grade), grade_sine_error(grade), b%form == form_dual)
-            rounding = merge(narrow_rounding, finest_double, grade_is_narrow(grade))
+            rounding = merge(narrow_rounding, accuracy_finest_double, grade_is_narrow(grade))
             ! The sines of the frame add sqrt(2) of their error.
             bounds(grade) = rounding + reduction + left_out(grade_harmonics(grade)) + sensitivity*error &
                + sqrt(2.0_real64)*grade_sine_error(grade)
@@ -186,7 +185,7 @@ contains
       real(real64), intent(in) :: span  !! [s]
 
       half_periods = 0
-      if (height_period(orbit) <= huge(span)) half_periods = 2*(span/height_period(orbit))
+      if (orbit%period() <= huge(span)) half_periods = 2*(span/orbit%period())
    end function half_periods
 
 end module kyvadlo_accuracy_bounds

@@ -8,14 +8,14 @@ module kyvadlo_periods
    use kyvadlo_threads, only: thread_count
    implicit none
    private
-   public :: period_from_gaps, periods_from_gaps
+   public :: orbit_period_from_gaps, orbits_period_from_gaps
 
 contains
 
-   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `height_period` gives after a set-up, in a fiftieth of the
+   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a fiftieth of the
    !> time. NaN unless 0 <= bottom_gap < top_gap <= 2 l - bottom_gap, l > 0, g > 0.
    !> Error 3 ulp at worst (test/unit/test_periods.pf).
-   elemental real(real64) function period_from_gaps(length, gravity, top_gap, bottom_gap) result(period)
+   elemental real(real64) function orbit_period_from_gaps(length, gravity, top_gap, bottom_gap) result(period)
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
       real(real64), intent(in) :: top_gap, bottom_gap  !! l - z1, l + z2 [m]
       real(real64) :: unit, factor
@@ -26,11 +26,11 @@ contains
       call scale_lengths(length, gravity, unit, factor)
       if (factor /= factor) return
       call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
-   end function period_from_gaps
+   end function orbit_period_from_gaps
 
-   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate_batch`. Arrays of different sizes give
+   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`. Arrays of different sizes give
    !> NaN.
-   subroutine periods_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level, threads)
+   subroutine orbits_period_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
       real(real64), intent(in), dimension(:) :: top_gap, bottom_gap     !! l - z1, l + z2 [m] (n)
       real(real64), intent(out), dimension(:) :: period                 !! [s] (n)
@@ -90,7 +90,7 @@ contains
          if (has_nan) found = merge(found, quiet_nan, is_given)
          period(start:last) = found(:points)
       end subroutine fill_block
-   end subroutine periods_from_gaps
+   end subroutine orbits_period_from_gaps
 
    !> The power of 4 that brings the length near 1, and pi l sqrt(2)/sqrt(g) in seconds for lengths times it.
    pure subroutine scale_lengths(length, gravity, unit, factor)

@@ -4,9 +4,7 @@
 module kyvadlo_state_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, cp => real64
    use kyvadlo_gaps_real32, only: gaps_type, gaps_from_state
-   use kyvadlo_orbit_real32, only: orbit_type, set_up
-   use kyvadlo_motion_real32, only: place, azimuth
-   use kyvadlo_passage_real32, only: phase_time
+   use kyvadlo_orbit_real32, only: orbit_type, set_up, place, phase_time
    use kyvadlo_motion_kinds
    use kyvadlo_status, only: error_type
    use kyvadlo_pairs_real64
@@ -16,9 +14,7 @@ end module kyvadlo_state_real32
 module kyvadlo_state_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
    use kyvadlo_gaps_real64, only: gaps_type, gaps_from_state
-   use kyvadlo_orbit_real64, only: orbit_type, set_up
-   use kyvadlo_motion_real64, only: place, azimuth
-   use kyvadlo_passage_real64, only: phase_time
+   use kyvadlo_orbit_real64, only: orbit_type, set_up, place, phase_time
    use kyvadlo_motion_kinds
    use kyvadlo_status, only: error_type
    use kyvadlo_pairs_real64
@@ -29,9 +25,7 @@ end module kyvadlo_state_real64
 module kyvadlo_state_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_gaps_real128, only: gaps_type, gaps_from_state
-   use kyvadlo_orbit_real128, only: orbit_type, set_up
-   use kyvadlo_motion_real128, only: place, azimuth
-   use kyvadlo_passage_real128, only: phase_time
+   use kyvadlo_orbit_real128, only: orbit_type, set_up, place, phase_time
    use kyvadlo_motion_kinds
    use kyvadlo_status, only: error_type
    use kyvadlo_pairs_real128

@@ -10,11 +10,9 @@ module kyvadlo_string
    use kyvadlo_cubic, only: cubic_roots
    use kyvadlo_orbit, only: orbit_type
    use kyvadlo_state, only: new_orbit_from_state
-   use kyvadlo_motion, only: locate, rod_force, orbit_energy
-   use kyvadlo_passage, only: time_to_height
    implicit none
    private
-   public :: string_motion_type, string_piece_type, string_event_type, new_string_motion, locate_on_string, string_starts_in_flight
+   public :: string_motion_type, string_piece_type, string_event_type, new_string_motion, string_starts_in_flight
    public :: event_slack, event_taut, event_rebound, event_end_of_rattling
 
    integer, parameter :: event_slack = 1            !! The tension vanishes, the bob leaves the sphere
@@ -48,6 +46,8 @@ module kyvadlo_string
       type(string_piece_type), allocatable :: pieces(:)
       type(string_event_type), allocatable :: events(:)    !! events(i) lies between pieces(i) and pieces(i+1)
       logical :: is_complete = .true.                      !! .false.: ended at the largest number of events
+   contains
+      procedure, non_overridable :: locate => locate_on_string
    end type string_motion_type
 
    !> Rebounds end, as if inelastic, when the radial speed is below this part of sqrt(g l): the bob then would come off by
@@ -92,8 +92,8 @@ contains
          ! The set-up checks the rest, and puts the start exactly on the sphere.
          call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error, gravity_rest)
          if (allocated(error)) return
-         call locate(piece%orbit, 0.0_wp, piece%position, piece%velocity)
-         piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+         call piece%orbit%locate(0.0_wp, piece%position, piece%velocity)
+         piece%is_taut = .not. piece%orbit%rod_force(0.0_wp) < 0
       end if
 
       count = 0
@@ -161,11 +161,11 @@ contains
       real(wp) :: after
 
       ! 2 c1 = 3 g z; on the way up the first passage, as the tension is not negative at the start of the piece.
-      after = time_to_height(piece%orbit, 2*orbit_energy(piece%orbit)/(3*motion%gravity))
+      after = piece%orbit%time_to_height(2*piece%orbit%energy()/(3*motion%gravity))
       event%kind = event_slack
       event%time = piece%start + after
       if (.not. after >= 0) return
-      call locate(piece%orbit, after, event%position, piece%velocity)
+      call piece%orbit%locate(after, event%position, piece%velocity)
       if (.not. piece%velocity(3) > 0) then
          ! A swing that only touches zero tension at its highest point stays taut.
          event%time = quiet_nan_real64
@@ -211,7 +211,7 @@ contains
          motion%gravity_rest)
       if (allocated(error)) return
       ! Without radial velocity the bob may still be too slow for its height: then it falls at once.
-      piece%is_taut = .not. rod_force(piece%orbit, 0.0_wp) < 0
+      piece%is_taut = .not. piece%orbit%rod_force(0.0_wp) < 0
    end subroutine arrive
 
    !> The first time after the start of a flight at which the string is taut again.
@@ -296,7 +296,7 @@ contains
 
    !> Position, velocity and tension over mass at a time within the motion; NaN outside it, and of a motion that failed.
    pure subroutine locate_on_string(motion, time, position, velocity, tension)
-      type(string_motion_type), intent(in) :: motion
+      class(string_motion_type), intent(in) :: motion
       real(wp), intent(in) :: time              !! 0 to the duration, of an incomplete motion to its last event [s]
       real(wp), intent(out) :: position(3)      !! [m]
       real(wp), intent(out) :: velocity(3)      !! [m/s]
@@ -323,8 +323,8 @@ contains
       associate (piece => motion%pieces(low))
          since = time - piece%start
          if (piece%is_taut) then
-            call locate(piece%orbit, since, position, velocity)
-            tension = rod_force(piece%orbit, since)
+            call piece%orbit%locate(since, position, velocity)
+            tension = piece%orbit%rod_force(since)
          else
             position = piece%position + piece%velocity*since
             position(3) = position(3) - motion%gravity*since**2/2

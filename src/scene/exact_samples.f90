@@ -1,7 +1,6 @@
 !> Samples of motions in closed form: at rest, on one orbit, on a string that goes slack.
 module kyvadlo_exact_samples
    use kyvadlo
-   use kyvadlo_accuracy, only: locate_batch
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities
@@ -22,14 +21,14 @@ contains
       real(wp) :: position(3), velocity(3)
       integer :: i
 
-      call locate(path%orbit, 0.0_wp, position, velocity)
+      call path%orbit%locate(0.0_wp, position, velocity)
       associate (n => block%count, column => block%column)
          do i = 1, 3
             if (column(quantity_position) > 0) block%values(:n, column(quantity_position) + i - 1) = position(i)
             if (column(quantity_velocity) > 0) block%values(:n, column(quantity_velocity) + i - 1) = velocity(i)
          end do
          if (column(quantity_tension) > 0) block%values(:n, column(quantity_tension)) = &
-            path%inertia*rod_force(path%orbit, 0.0_wp)
+            path%inertia*path%orbit%rod_force(0.0_wp)
          ! It has none.
          if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
             quiet_nan_real64
@@ -44,8 +43,8 @@ contains
 
       associate (n => block%count, column => block%column)
          if (column(quantity_energy) > 0) block%values(:n, column(quantity_energy)) = &
-            path%inertia*orbit_energy(path%orbit) + path%pivot_energy
-         if (column(quantity_momentum) > 0) block%values(:n, column(quantity_momentum)) = orbit_momentum(path%orbit)
+            path%inertia*path%orbit%energy() + path%pivot_energy
+         if (column(quantity_momentum) > 0) block%values(:n, column(quantity_momentum)) = path%orbit%momentum()
       end associate
       call fill_no_work(block)
    end subroutine fill_constants
@@ -71,9 +70,9 @@ contains
             call place_samples(path%orbit, block%values(:n, 1), 1, block)
          end if
          if (column(quantity_tension) > 0) block%values(:n, column(quantity_tension)) = &
-            path%inertia*rod_force(path%orbit, block%values(:n, 1))
+            path%inertia*path%orbit%rod_force(block%values(:n, 1))
          if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
-            azimuth(path%orbit, block%values(:n, 1))
+            path%orbit%azimuth(block%values(:n, 1))
       end associate
       call fill_constants(path, block)
    end subroutine fill_closed_form
@@ -89,10 +88,10 @@ contains
       last = first + size(time) - 1
       associate (values => block%values, p => block%column(quantity_position), v => block%column(quantity_velocity))
          if (v > 0) then
-            call locate_batch(orbit, time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2), &
+            call orbit%locate(time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2), &
                values(first:last, v), values(first:last, v + 1), values(first:last, v + 2))
          else if (p > 0) then
-            call locate_batch(orbit, time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2))
+            call orbit%locate(time, values(first:last, p), values(first:last, p + 1), values(first:last, p + 2))
          end if
       end associate
    end subroutine place_samples
@@ -105,10 +104,10 @@ contains
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
          v => block%column(quantity_velocity))
          if (v > 0) then
-            call locate_batch(path%plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), values(:n, v), &
+            call path%plan%locate(values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), values(:n, v), &
                values(:n, v + 1), values(:n, v + 2), threads=path%threads)
          else if (p > 0) then
-            call locate_batch(path%plan, values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), &
+            call path%plan%locate(values(:n, 1), values(:n, p), values(:n, p + 1), values(:n, p + 2), &
                threads=path%threads)
          end if
       end associate
@@ -141,12 +140,12 @@ contains
                since(first:last) = values(first:last, 1) - string%pieces(piece)%start
                call place_samples(string%pieces(piece)%orbit, since(first:last), first, block)
                if (tension_column > 0) values(first:last, tension_column) = &
-                  path%inertia*rod_force(string%pieces(piece)%orbit, since(first:last))
+                  path%inertia*string%pieces(piece)%orbit%rod_force(since(first:last))
                if (azimuth_column > 0) values(first:last, azimuth_column) = block%azimuth &
-                  + (azimuth(string%pieces(piece)%orbit, since(first:last)) - azimuth(string%pieces(piece)%orbit, 0.0_wp))
+                  + (string%pieces(piece)%orbit%azimuth(since(first:last)) - string%pieces(piece)%orbit%azimuth(0.0_wp))
             else
                do i = first, last
-                  call locate_on_string(string, values(i, 1), position, velocity, tension)
+                  call string%locate(values(i, 1), position, velocity, tension)
                   if (p > 0) values(i, p:p + 2) = position
                   if (v > 0) values(i, v:v + 2) = velocity
                   if (tension_column > 0) values(i, tension_column) = tension
@@ -172,7 +171,7 @@ contains
 
       at_end = at_start
       associate (this => string%pieces(piece), next => string%pieces(piece + 1))
-         if (this%is_taut) at_end = at_start + (azimuth(this%orbit, next%start - this%start) - azimuth(this%orbit, 0.0_wp))
+         if (this%is_taut) at_end = at_start + (this%orbit%azimuth(next%start - this%start) - this%orbit%azimuth(0.0_wp))
          at_end = turned_azimuth(next%position(1), next%position(2), next%velocity(1), next%velocity(2), at_end)
       end associate
    end function azimuth_after

@@ -14,7 +14,7 @@ module kyvadlo_sample_block
    public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, turn_azimuth, &
       turn_frame
 
-   !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate_batch`.
+   !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate`.
    integer, parameter :: block_samples = 8192
 
    !> A block of samples. What is needed but not asked for stands in columns behind those that are handed over.

@@ -1,7 +1,7 @@
 !> How a scene is computed: the one place where the path is chosen.
 module kyvadlo_simulation_path
    use kyvadlo
-   use kyvadlo_accuracy, only: accurate_orbit_type, choice_text, new_orbit_to_accuracy
+   use kyvadlo_accuracy, only: accurate_orbit_type, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_forces, only: forces_type, new_forces
@@ -140,7 +140,7 @@ contains
       associate (effects => path%effects, settings => simulation%settings)
          call pendulum_orbit(pendulum, path%orbit, no_orbit, path%gravity_rest)
          has_orbit = .not. allocated(no_orbit)
-         if (has_orbit) call locate(path%orbit, 0.0_wp, path%position, path%velocity)
+         if (has_orbit) call path%orbit%locate(0.0_wp, path%position, path%velocity)
          is_free = .false.
          if (pendulum%start == start_state) then
             is_free = effects%stiffness > 0 .or. any(effects%extra_length > 0)
@@ -278,7 +278,7 @@ contains
       if (allocated(error)) then
          error%message = pendulum%file//': '//error%message
       else
-         path%method = path%method//' ('//trim(choice_text(path%plan))//')'
+         path%method = path%method//' ('//trim(path%plan%choice_text())//')'
       end if
    end subroutine plan_accuracy
 
@@ -300,7 +300,7 @@ contains
    pure real(wp) function lowest_tension(orbit)
       type(orbit_type), intent(in) :: orbit
 
-      lowest_tension = (2*orbit_energy(orbit) - 3*orbit%gravity*orbit%turning%upper)/orbit%length
+      lowest_tension = (2*orbit%energy() - 3*orbit%gravity*orbit%turning%upper)/orbit%length
    end function lowest_tension
 
    !> One period: of the height, of a plane swing to and fro, of a revolution of a conical pendulum; for the motion that never
@@ -312,11 +312,11 @@ contains
       case (motion_conical)
          duration = 2*pi*sqrt(-orbit%turning%upper/orbit%gravity)
       case (motion_plane_libration)
-         duration = 2*height_period(orbit)
+         duration = 2*orbit%period()
       case (motion_separatrix, motion_upright)
          duration = 4*sqrt(orbit%length/orbit%gravity)
       case default
-         duration = height_period(orbit)
+         duration = orbit%period()
       end select
    end function default_duration
 

@@ -3,7 +3,7 @@ module kyvadlo_function_values_real32
    use kyvadlo, only: carlson_rc, carlson_rf, carlson_rd, carlson_rj, carlson_rg, elliptic_k, elliptic_kc, elliptic_e, &
       elliptic_d, elliptic_b, elliptic_pi, elliptic_f, elliptic_einc, elliptic_dinc, elliptic_piinc, elliptic_nome, &
       jacobi_zeta, heuman_lambda, jacobi_functions, jacobi_functionsc, jacobi_type => jacobi_type_real32, new_jacobi, &
-      evaluate_jacobi, theta_function
+      jacobi_evaluate, theta_function
    use kyvadlo_function_ids
 #include "function_values.inc"
 end module kyvadlo_function_values_real32
@@ -13,7 +13,7 @@ module kyvadlo_function_values_real64
    use kyvadlo, only: carlson_rc, carlson_rf, carlson_rd, carlson_rj, carlson_rg, elliptic_k, elliptic_kc, elliptic_e, &
       elliptic_d, elliptic_b, elliptic_pi, elliptic_f, elliptic_einc, elliptic_dinc, elliptic_piinc, elliptic_nome, &
       jacobi_zeta, heuman_lambda, jacobi_functions, jacobi_functionsc, jacobi_type, new_jacobi, &
-      evaluate_jacobi, theta_function
+      jacobi_evaluate, theta_function
    use kyvadlo_function_ids
 #include "function_values.inc"
 end module kyvadlo_function_values_real64
@@ -24,7 +24,7 @@ module kyvadlo_function_values_real128
    use kyvadlo, only: carlson_rc, carlson_rf, carlson_rd, carlson_rj, carlson_rg, elliptic_k, elliptic_kc, elliptic_e, &
       elliptic_d, elliptic_b, elliptic_pi, elliptic_f, elliptic_einc, elliptic_dinc, elliptic_piinc, elliptic_nome, &
       jacobi_zeta, heuman_lambda, jacobi_functions, jacobi_functionsc, jacobi_type => jacobi_type_real128, new_jacobi, &
-      evaluate_jacobi, theta_function
+      jacobi_evaluate, theta_function
    use kyvadlo_function_ids
 #include "function_values.inc"
 end module kyvadlo_function_values_real128

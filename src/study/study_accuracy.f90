@@ -1,8 +1,8 @@
 !> The position question put to the closed form with a stated accuracy: is it kept, and what does it save?
 module kyvadlo_study_accuracy
    use, intrinsic :: iso_fortran_env, only: real64, real128
-   use kyvadlo, only: accurate_orbit_type, error_type, finest_double, kind_text, locate_batch, new_orbit_to_accuracy, &
-      start_gaps, start_rises
+   use kyvadlo, only: accurate_orbit_type, error_type => kyvadlo_error_type, accuracy_finest_double, &
+      new_orbit_to_accuracy, start_gaps, start_rises
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest
    use kyvadlo_study_record, only: study_type
@@ -46,10 +46,10 @@ contains
          work%accuracy = accuracies(i)
          call set_up(work)
          work%is_set_up = .false.
-         call ask(study, work, orbit, span, 'closed_form', 'accuracy '//trim(accuracy_names(i)), kind_text(work%orbit))
+         call ask(study, work, orbit, span, 'closed_form', 'accuracy '//trim(accuracy_names(i)), work%orbit%kind_text())
          work%is_set_up = .true.
          call ask(study, work, orbit, span, 'closed_form', 'to '//trim(accuracy_names(i))//' after set-up', &
-            kind_text(work%orbit))
+            work%orbit%kind_text())
       end do
    end subroutine ask_accuracies
 
@@ -58,11 +58,11 @@ contains
 
       work%evaluations = n_times
       if (.not. work%is_set_up) call set_up(work)
-      if (work%accuracy < finest_double) then
-         call locate_batch(work%orbit, work%times, work%x_wide, work%y_wide, work%z_wide)
+      if (work%accuracy < accuracy_finest_double) then
+         call work%orbit%locate(work%times, work%x_wide, work%y_wide, work%z_wide)
          work%sink = work%sink + real(sum(work%x_wide) + sum(work%y_wide) + sum(work%z_wide), real64)
       else
-         call locate_batch(work%orbit, work%times, work%x, work%y, work%z)
+         call work%orbit%locate(work%times, work%x, work%y, work%z)
          work%sink = work%sink + (sum(work%x) + sum(work%y) + sum(work%z))
       end if
    end subroutine accurate_pass
@@ -71,7 +71,7 @@ contains
       class(accurate_type), intent(in) :: work
       real(real64) :: error
 
-      if (work%accuracy < finest_double) then
+      if (work%accuracy < accuracy_finest_double) then
          error = farthest(work, work%x_wide, work%y_wide, work%z_wide)
       else
          error = farthest(work, real(work%x, real128), real(work%y, real128), real(work%z, real128))

@@ -2,7 +2,7 @@
 !> integrals of the third kind; the textbook's small oscillations.
 module kyvadlo_study_by_point
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_pairs, only: pair, value, operator(*), operator(-)
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest
@@ -69,7 +69,7 @@ contains
       integer :: most
 
       allocate (work)
-      most = max(polar_angle_terms(orbit%orbit), 1)
+      most = max(orbit%orbit%polar_angle_terms(), 1)
       do
          work%terms = work%terms + merge(max(most - 1, 1), 1, study%quick .and. work%terms == 1)
          write (setting, '(i0,a)') work%terms, merge(' term ', ' terms', work%terms == 1)
@@ -114,7 +114,7 @@ contains
       type(orbit_type), intent(in) :: orbit
       real(wp), intent(in) :: time, turns
 
-      since = value(pair(time) - orbit%period*turns)
+      since = value(pair(time) - orbit%period_pair*turns)
    end function since
 
    !> l + z = l + z2 + (z1 - z2) cd**2 w, l - z = l - z1 + (z1 - z2) k'**2 sd**2 w.
@@ -130,14 +130,14 @@ contains
       work%has_failed = allocated(error)
       orbit%terms = min(orbit%terms, work%terms)
       jacobi = new_jacobic(orbit%complementary_parameter)
-      rate = phase_rate(orbit)
+      rate = orbit%phase_rate()
       associate (turning => orbit%turning)
          do i = 1, n_times
-            call evaluate_jacobi(jacobi, rate*since(orbit, work%times(i), anint(work%times(i)/orbit%period%high)), sn, &
+            call jacobi_evaluate(jacobi, rate*since(orbit, work%times(i), anint(work%times(i)/orbit%period_pair%high)), sn, &
                cn, dn, am)
             up = turning%lower_rise + turning%swing*(cn/dn)**2
             down = turning%top_gap + turning%swing*orbit%complementary_parameter*(sn/dn)**2
-            phi = azimuth(orbit, work%times(i))
+            phi = orbit%azimuth(work%times(i))
             call set_place(work, i, up, down, phi)
          end do
       end associate
@@ -159,17 +159,17 @@ contains
 
       call set_up_orbit(work%start, orbit, error)
       work%has_failed = allocated(error)
-      rate = phase_rate(orbit)
+      rate = orbit%phase_rate()
       associate (turning => orbit%turning, m => orbit%parameter, mc => orbit%complementary_parameter)
          is_plane = .not. turning%lower_rise > 0
          if (.not. is_plane) then
             n = [characteristic_type(turning%swing/turning%lower_gap, turning%top_gap/turning%lower_gap), &
                characteristic_type(-turning%swing/turning%lower_rise, turning%upper_rise/turning%lower_rise)]
-            factor = orbit_momentum(orbit)/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
+            factor = orbit%momentum()/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
             half = factor(1)*complete_third(work%by, n(1), m, mc) + factor(2)*complete_third(work%by, n(2), m, mc)
          end if
          do i = 1, n_times
-            turns = anint(work%times(i)/orbit%period%high - 0.5_wp) + 0.5_wp
+            turns = anint(work%times(i)/orbit%period_pair%high - 0.5_wp) + 0.5_wp
             call jacobi_by(work%by, rate*since(orbit, work%times(i), turns), m, mc, sn, cn, dn, am)
             if (is_plane) then
                phi = turns*pi + sign(pi/2, sn)

@@ -3,7 +3,7 @@ module kyvadlo_study_integrators
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_double, c_loc
    use, intrinsic :: iso_fortran_env, only: real64, real128
-   use kyvadlo, only: error_type, height_period, orbit_momentum, orbit_type
+   use kyvadlo, only: error_type => kyvadlo_error_type, orbit_type
    use kyvadlo_gsl
    use kyvadlo_study_orbits, only: study_orbit_type, n_times, one_period
    use kyvadlo_study_places, only: places_type, ask, farthest, span_questions
@@ -101,10 +101,10 @@ contains
       if (work%has_failed) return
       problem%length = work%start%length
       problem%gravity = work%start%gravity
-      problem%momentum = orbit_momentum(orbit)/problem%length**2
+      problem%momentum = orbit%momentum()/problem%length**2
       if (work%coordinates == cartesian) then
          radius = sqrt(orbit%turning%upper_rise*orbit%turning%top_gap)
-         y = [radius, 0.0_c_double, orbit%turning%upper, 0.0_c_double, orbit_momentum(orbit)/radius, 0.0_c_double]
+         y = [radius, 0.0_c_double, orbit%turning%upper, 0.0_c_double, orbit%momentum()/radius, 0.0_c_double]
          system = fgsl_odeiv2_system_init(cartesian_rates, 6_fgsl_size_t, c_loc(problem), cartesian_jacobian)
       else
          y = [2*atan2(sqrt(orbit%turning%upper_rise), sqrt(orbit%turning%top_gap)), 0.0_c_double, 0.0_c_double]
@@ -117,7 +117,7 @@ contains
       status = fgsl_odeiv2_driver_set_nmax(driver, steps_at_once)
       t = 0
       if (work%coordinates == cartesian) then
-         period = height_period(orbit)
+         period = orbit%period()
          do i = 1, int(work%times(1)/period)
             call go_on(i*period)
             if (work%has_failed .or. work%is_capped) exit

@@ -2,7 +2,8 @@
 module kyvadlo_study_orbits
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
+   use kyvadlo_status, only: fail
    use kyvadlo_scene, only: pendulum_type_real128
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_study_set_up, only: set_up_orbit, study_start_type
@@ -71,7 +72,7 @@ contains
       if (allocated(error)) return
       study_orbit%name = pendulum%name
       if (any(exact%motion == [motion_plane_rotation, motion_rest, motion_upright]) .or. &
-         .not. ieee_is_finite(height_period(exact))) then
+         .not. ieee_is_finite(exact%period())) then
          call fail(error, code_unsupported, "study: the pendulum '"//trim(study_orbit%name)// &
             "' must swing: rest and motion over the top in a plane have nothing to compare")
          return
@@ -87,13 +88,13 @@ contains
          if (.not. allocated(error)) call set_up_orbit(start, exact, error)
       end associate
       if (allocated(error)) return
-      study_orbit%period = height_period(exact)
-      study_orbit%advance = apsidal_advance(exact)
+      study_orbit%period = exact%period()
+      study_orbit%advance = exact%apsidal_advance()
       do span = 1, 2
          do i = 1, n_times
             study_orbit%times(i, span) = &
                real(real(study_orbit%period*(periods_before(span) + real(i, real128)/n_times), real32), real64)
-            call locate(exact, real(study_orbit%times(i, span), real128), study_orbit%positions(:, i, span))
+            call exact%locate(real(study_orbit%times(i, span), real128), study_orbit%positions(:, i, span))
          end do
       end do
    end subroutine orbit_from_pendulum

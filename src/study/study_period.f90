@@ -1,8 +1,8 @@
 !> How long is T, the time from lowest to lowest point: every method, its error and its time.
 module kyvadlo_study_period
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-   use kyvadlo
+   use, intrinsic :: iso_fortran_env, only: int64, real64, real128, real32
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_study_accuracy, only: accuracies, accuracy_names, set_up_to_accuracy
    use kyvadlo_study_period_gsl, only: free_table, gauss_period, gsl_k_period, gsl_table_type, has_gsl, new_table, &
       qag_period
@@ -57,8 +57,8 @@ contains
 
       call one(by_set_up_32, 0, 'closed_form', 'set-up', 'real32')
       call one(by_set_up_64, 0, 'closed_form', 'set-up', 'real64')
-      call one(by_gaps, 0, 'closed_form', 'period_from_gaps', 'real64')
-      call one(by_gaps_of_many, 0, 'closed_form', 'periods_from_gaps', 'real64')
+      call one(by_gaps, 0, 'closed_form', 'orbit_period_from_gaps', 'real64')
+      call one(by_gaps_of_many, 0, 'closed_form', 'orbits_period_from_gaps', 'real64')
       call one(by_set_up_128, 0, 'closed_form', 'set-up', 'real128')
       ! By the set-up of an orbit to an accuracy; of no span, as nothing is asked but T.
       do i = merge(2, 1, study%quick), size(accuracies), merge(2, 1, study%quick)
@@ -158,25 +158,25 @@ contains
       case (by_set_up_32)
          do i = 1, copies
             call set_up_orbit(work%starts(i), single, error)
-            work%found(i) = height_period(single)
+            work%found(i) = single%period()
          end do
       case (by_set_up_64)
          do i = 1, copies
             call set_up_orbit(work%starts(i), double, error)
-            work%found(i) = height_period(double)
+            work%found(i) = double%period()
          end do
       case (by_set_up_128)
          do i = 1, copies
             call set_up_orbit(work%starts(i), quad, error)
-            work%quads(i) = height_period(quad)
+            work%quads(i) = quad%period()
          end do
       case (by_accuracy)
          do i = 1, copies
             call set_up_to_accuracy(work%starts(i), work%tolerance, 0.0_real64, accurate, work%has_failed)
             if (allocated(accurate%wide)) then
-               work%quads(i) = height_period(accurate%wide)
+               work%quads(i) = accurate%wide%period()
             else
-               work%found(i) = height_period(accurate)
+               work%found(i) = accurate%period()
             end if
          end do
       case (by_gaps_of_many)
@@ -184,14 +184,14 @@ contains
             gaps(i, 1) = top_gap(work%starts(i))
             gaps(i, 2) = work%starts(i)%second
          end do
-         call periods_from_gaps(work%starts(1)%length, work%starts(1)%gravity, gaps(:, 1), gaps(:, 2), work%found)
+         call orbits_period_from_gaps(work%starts(1)%length, work%starts(1)%gravity, gaps(:, 1), gaps(:, 2), work%found)
       case default
          do i = 1, copies
             associate (start => work%starts(i))
                evaluations = work%count
                select case (work%method)
                case (by_gaps)
-                  work%found(i) = period_from_gaps(start%length, start%gravity, top_gap(start), start%second)
+                  work%found(i) = orbit_period_from_gaps(start%length, start%gravity, top_gap(start), start%second)
                case (by_agm)
                   work%found(i) = agm_period(start, work%count)
                case (by_carlson)

@@ -2,7 +2,7 @@
 module kyvadlo_study_roots
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo, only: error_type, orbit_energy, orbit_momentum, orbit_type_real128
+   use kyvadlo, only: error_type => kyvadlo_error_type, orbit_type_real128
    use kyvadlo_study_orbits, only: study_orbit_type
    use kyvadlo_study_record, only: add_cell, cell_type, failed, measure, measured, study_type, work_type
    use kyvadlo_study_roots_ours, only: roots_by_cubic, roots_by_energy
@@ -80,8 +80,8 @@ contains
       if (has_failed) return
       cubic%name = orbit%name
       cubic%has_energy = .true.
-      cubic%energy = real(orbit_energy(exact), real64)
-      cubic%momentum = real(orbit_momentum(exact), real64)
+      cubic%energy = real(exact%energy(), real64)
+      cubic%momentum = real(exact%momentum(), real64)
       energy = cubic%energy
       momentum = cubic%momentum
       cubic%coefficients = real([-energy, -1.0_real128, energy - momentum**2/2], real64)

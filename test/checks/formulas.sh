@@ -23,6 +23,12 @@ awk '
       close(file)
       return found
    }
+   # The docstring of a procedure of an orbit: its body says `module procedure name`, its interface is in orbit_bindings.inc.
+   function interface_of(file, name,    line, is_body) {
+      while ((getline line < file) > 0) if (line ~ ("^ *module procedure " name "(_kind)?$")) is_body = 1
+      close(file)
+      return is_body ? docstring("src/pendulum/orbit_bindings.inc", name) : ""
+   }
    function complain(text) { print FILENAME ":" FNR ": " text; bad++ }
 
    /^\| *\([0-9]+[a-z]?\)/ {
@@ -39,6 +45,8 @@ awk '
          name = substr(names, RSTART + 1, RLENGTH - 2)
          names = substr(names, RSTART + RLENGTH)
          doc = docstring(file, name)
+         # The interface of a `module procedure` stands with the type it is bound to.
+         if (doc == "") doc = interface_of(file, name)
          if (doc == "") complain("no procedure " name " in " file)
          text = text doc
          named++

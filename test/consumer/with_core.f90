@@ -1,8 +1,9 @@
 !> A program of somebody else that needs the core only.
 program with_core
-   use kyvadlo
+   use, intrinsic :: iso_fortran_env, only: real64
+   use kyvadlo, only: carlson_rf, elliptic_k, kyvadlo_error_type, new_orbit_from_heights, orbit_type
    implicit none
-   type(error_type), allocatable :: error
+   type(kyvadlo_error_type), allocatable :: error
    type(orbit_type) :: orbit
    real(real64) :: z
 
@@ -13,7 +14,7 @@ program with_core
    ! Half a period after the upper turning height comes the lower one.
    call new_orbit_from_heights(orbit, 1.0_real64, 9.80665_real64, 0.25_real64, -0.75_real64, error)
    if (allocated(error)) error stop 'no orbit between 0.25 and -0.75'
-   z = height(orbit, height_period(orbit)/2)
+   z = orbit%height(orbit%period()/2)
    if (.not. abs(z + 0.75_real64) <= 4*epsilon(z)) error stop 'not at the lower turning height'
    print '(a, f6.3)', 'z(T/2) = ', z
 

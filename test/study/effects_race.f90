@@ -2,7 +2,7 @@
 module effects_race
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_long, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_buoyancy
    use kyvadlo_effects
    use kyvadlo_forces
@@ -235,7 +235,7 @@ contains
       call new_orbit_from_state(orbit, l, effective_gravity(g, entry%effects%density_ratio, entry%effects%added_mass), &
          entry%position, entry%velocity, error)
       if (allocated(error)) error stop 'effects_race: no orbit'
-      call locate_batch(orbit, entry%times, x, y, z, u, v, w)
+      call orbit%locate(entry%times, x, y, z, u, v, w)
       do i = 1, size(entry%times)
          entry%places(:, i) = [x(i), y(i), z(i)]
          velocity = [u(i), v(i), w(i)]

@@ -8,7 +8,7 @@ program hard_cases
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128, output_unit, error_unit
    use campaign, only: compare_orbits
    use hard_regimes, only: regimes, measures, promises, promises_of, title_of_regime
-   use kyvadlo, only: orbit_type_real128, error_type, new_orbit_from_gaps, complementary_modulus
+   use kyvadlo, only: orbit_type_real128, error_type => kyvadlo_error_type, new_orbit_from_gaps
    use newton_check, only: distance_from_newton
    use study_pages, only: write_machine, number_text
    implicit none
@@ -109,7 +109,7 @@ contains
 
       call new_orbit_from_gaps(orbit, 1.0_real128, 9.80665_real128, top_gap, bottom_gap, error)
       distance = real(distance_from_newton(1.0_real128, 9.80665_real128, top_gap, bottom_gap), real64)
-      allowed = real(100*epsilon(1.0_real128)*max(1.0_real128, complementary_modulus(orbit)**(-6)), real64)
+      allowed = real(100*epsilon(1.0_real128)*max(1.0_real128, orbit%complementary_modulus()**(-6)), real64)
       write (output_unit, '(a)') '| '//name//' | '//number_text(real(top_gap, real64))//' l | ' &
          //number_text(real(bottom_gap, real64))//' l | '//number_text(distance)//' | '//number_text(allowed)//' |'
       if (distance <= allowed) return

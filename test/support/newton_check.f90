@@ -1,7 +1,7 @@
 !> The closed form beside Newton's equations, in quadruple precision.
 module newton_check
    use, intrinsic :: iso_fortran_env, only: qp => real128
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use newton_series, only: integrate
    implicit none
    private
@@ -30,10 +30,10 @@ contains
          fastest = sqrt(velocity(2)**2 + 2*gravity*((d1 - d2)))
       end associate
       worst = 0
-      step = height_period(orbit)/8
+      step = orbit%period()/8
       do i = 1, 24
          call integrate(length, gravity, position, velocity, step)
-         call locate(orbit, i*step, there, moving)
+         call orbit%locate(i*step, there, moving)
          worst = larger(worst, norm2(position - there)/length)
          worst = larger(worst, norm2(velocity - moving)/fastest)
       end do

@@ -2,7 +2,7 @@
 module pendulum_answers_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use reference_data, only: read_reference, ulps
 #define orbit_type orbit_type_real32
 #include "pendulum_answers.inc"
@@ -12,7 +12,7 @@ end module pendulum_answers_real32
 module pendulum_answers_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use reference_data, only: read_reference, ulps
 #include "pendulum_answers.inc"
 end module pendulum_answers_real64
@@ -21,7 +21,7 @@ end module pendulum_answers_real64
 module pendulum_answers_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-   use kyvadlo
+   use kyvadlo, error_type => kyvadlo_error_type
    use reference_data, only: read_reference, ulps
 #define orbit_type orbit_type_real128
 #include "pendulum_answers.inc"
