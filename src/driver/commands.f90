@@ -45,6 +45,7 @@ module kyvadlo_commands
       option_type('table', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('table', '--accuracy', 'A', &
          'kind and digits for a relative error A, 1.3e-32 to 0.1: double down to 1e-13, then quad'), &
+      option_type('table', '--pendulum', 'NAME', 'only the pendulum of this name or number'), &
       option_type('table', '--upper', 'A:B:N', 'a grid instead of scenes: N upper turning heights from A to B'), &
       option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
       option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &
@@ -55,6 +56,7 @@ module kyvadlo_commands
          'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
       option_type('simulate', '--plot', 'FILE', &
          'draw FILE, .svg or .png, by gnuplot; its script and data stand beside, .gp and .dat'), &
+      option_type('simulate', '--pendulum', 'NAME', 'the pendulum of this name or number, of a scene with several'), &
       option_type('simulate', '--explain', '', &
          'first say which path was chosen, why, and what it will cost (standard error)'), &
       option_type('simulate', '--most-steps', 'N', 'steps that an integration may take (default 1e7); more are refused'), &
@@ -67,6 +69,7 @@ module kyvadlo_commands
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
       option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &
+      option_type('study', '--pendulum', 'NAME', 'only the pendulum of this name or number, of each scene'), &
       option_type('study', '--seconds', 'S', 'measure every point for S seconds (default 0.02, with --quick 0.002)'), &
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &

@@ -44,7 +44,7 @@ contains
       if (.not. allocated(error)) call number_option(arguments, '--accuracy', 0.1_wp, 'above 0, at most 0.1', accuracy, error)
       if (.not. allocated(error)) call number_option(arguments, '--most-steps', 1e15_wp, 'above 0, at most 1e15', most_steps, error)
       if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
-      if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error)
+      if (.not. allocated(error)) call read_scene(arguments, simulation, error)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
       if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
@@ -99,6 +99,18 @@ contains
       if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
    end subroutine check_options
+
+   subroutine read_scene(arguments, simulation, error)
+      type(arguments_type), intent(in) :: arguments
+      type(simulation_type), intent(out) :: simulation
+      type(error_type), allocatable, intent(out) :: error
+
+      if (option_given(arguments, '--pendulum')) then
+         call read_simulation(arguments%operands(1)%text, simulation, error, option_value(arguments, '--pendulum', ''))
+      else
+         call read_simulation(arguments%operands(1)%text, simulation, error)
+      end if
+   end subroutine read_scene
 
    !> Whether the files of the run, read and written, go together.
    subroutine check_all_files(arguments, simulation, files, error)

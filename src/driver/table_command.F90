@@ -157,7 +157,7 @@ contains
       if (option_given(arguments, '--upper') .or. option_given(arguments, '--lower')) then
          if (.not. (option_given(arguments, '--upper') .and. option_given(arguments, '--lower'))) then
             call fail(error, code_input, 'a grid needs both --upper A:B:N and --lower A:B:N')
-         else if (size(arguments%operands) > 0) then
+         else if (size(arguments%operands) > 0 .or. option_given(arguments, '--pendulum')) then
             call fail(error, code_input, 'give scenes or a grid (--upper, --lower), not both')
          else if (options%data_only .or. options%divisions > 0) then
             call fail(error, code_input, 'options --data and --divisions do not apply to a grid')

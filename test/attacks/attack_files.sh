@@ -17,7 +17,7 @@ for output in scene.nml ./scene.nml sub/../scene.nml hard.nml soft.nml "$PWD/sce
 done
 cp scene.nml in
 go simulate - --output in
-refused 'standard input'
+refused 'are one file'
 want 'the scene as it was' same in before
 rm in
 for pair in '--output a.csv --events a.csv' '--output a.csv --events ./a.csv' '--output a.gp --plot a.svg' \

@@ -1,7 +1,7 @@
 !> Random changes of scenes, pivot tables, requests of eval and options, handed to the readers in one process: millions of
 !> inputs in minutes, under the sanitizers.
 !>
-!>    attacks_fuzz scene|simulation|table|request|options COUNT [FIRST]
+!>    attacks_fuzz scene|simulation|table|request|options|all COUNT [FIRST]
 !>
 !> Input number i is the same in every run; what goes wrong ends the program, and the last number printed says where. It must
 !> run in a folder of its own: `table` writes a file.
@@ -44,8 +44,10 @@ program attacks_fuzz
       'simulate scene.nml --output=out.csv --events e --explain', 'eval --kind single K 0.5 -- -1', &
       'table --upper -0.9:0.9:19 --lower=-1:0:11 --format csv', 'study --quick --seconds 1e-3 --output d', '--help', '-h']
 
+   character(len=*), parameter :: kinds(*) = [character(len=10) :: 'scene', 'simulation', 'table', 'request', 'options']
    integer(int64) :: state
    integer(int64) :: first, count, i, accepted
+   integer :: k
    character(len=32) :: kind, word
 
    call get_command_argument(1, kind)
@@ -56,28 +58,36 @@ program attacks_fuzz
       call get_command_argument(3, word)
       read (word, *) first
    end if
-   accepted = 0
-   do i = first, first + count - 1
-      if (modulo(i - first, 10000_int64) == 0) write (error_unit, '(2a,i0)') trim(kind), ' ', i
-      state = ieor(i*6364136223846793005_int64 + 1442695040888963407_int64, ishft(i, 32))
-      select case (kind)
-      case ('scene')
-         call try_scene(changed(scenes))
-      case ('simulation')
-         call try_simulation(changed(scenes))
-      case ('table')
-         call try_table(changed(tables))
-      case ('request')
-         call try_request(changed(requests))
-      case ('options')
-         call try_options(changed(options))
-      case default
-         error stop 'attacks_fuzz scene|simulation|table|request|options COUNT [FIRST]'
-      end select
+   if (all(kinds /= kind) .and. kind /= 'all') error stop 'attacks_fuzz scene|simulation|table|request|options|all COUNT [FIRST]'
+   do k = 1, size(kinds)
+      if (kind == 'all' .or. kind == kinds(k)) call try_all(kinds(k))
    end do
-   write (output_unit, '(a,2(1x,i0),a)') trim(kind), count, accepted, ' accepted, the rest refused'
 
 contains
+
+   !> Every input of a kind.
+   subroutine try_all(kind)
+      character(len=*), intent(in) :: kind
+
+      accepted = 0
+      do i = first, first + count - 1
+         if (modulo(i - first, 10000_int64) == 0) write (error_unit, '(2a,i0)') trim(kind), ' ', i
+         state = ieor(i*6364136223846793005_int64 + 1442695040888963407_int64, ishft(i, 32))
+         select case (kind)
+         case ('scene')
+            call try_scene(changed(scenes))
+         case ('simulation')
+            call try_simulation(changed(scenes))
+         case ('table')
+            call try_table(changed(tables))
+         case ('request')
+            call try_request(changed(requests))
+         case default
+            call try_options(changed(options))
+         end select
+      end do
+      write (output_unit, '(a,2(1x,i0),a)') trim(kind), count, accepted, ' accepted, the rest refused'
+   end subroutine try_all
 
    !> A number from 0 to n - 1.
    integer function random(n)

@@ -284,6 +284,21 @@ checks=$((checks + 1))
 fails 2 "option --plot needs the name of a file that ends in .svg or .png, got 'swing.pdf'" simulate plane.nml --plot swing.pdf
 fails 2 'cannot write nowhere/swing.dat' simulate plane.nml --plot nowhere/swing.svg
 
+# One pendulum of several, by name or number.
+printf '%s\n' "&pendulum name='wide' length=1, z_upper=0.3, z_lower=-0.8 / &pendulum name='low' length=2, z_upper=-1, z_lower=-1.8 /" >two.nml
+run simulate two.nml --pendulum wide
+expect_match '^0e+00,9.5393920141694[0-9]*e-01,'
+for name in low 2; do
+   run simulate two.nml --pendulum $name
+   expect_match '^0e+00,1.7320508075688[0-9]*e+00,'
+   run table two.nml --pendulum $name --data --format csv
+   expect_match '^low,'
+   checks=$((checks + 1))
+   ! grep -q '^wide,' out || complain 'only the one asked for'
+done
+fails 2 "option --pendulum: none is named '3'" simulate two.nml --pendulum 3
+fails 2 "option --pendulum: none is named 'x'" table two.nml --pendulum x
+fails 2 'choose it by --pendulum' simulate two.nml
 # Wrong use and wrong scenes.
 fails 2 'simulate needs one scene file, or - for standard input' simulate
 fails 2 'simulate needs one scene file' simulate plane.nml cone.nml
