@@ -60,7 +60,8 @@ contains
          else if (any(commands%name == words(i)%text) .and. words(i)%text /= '') then
             arguments%command = words(i)%text
          else
-            call fail(error, code_input, 'unknown command '//quoted(words(i)%text)//'; the commands are '//command_names())
+            call fail(error, code_input, 'unknown command '//quoted(words(i)%text)//'; the commands are '// &
+               command_names())
          end if
       end do
    end subroutine sort_words
@@ -184,8 +185,8 @@ contains
       call fail(error, code_input, 'option '//name//' must be a whole number, '//trim(range)//', got '//quoted(text))
    end subroutine integer_option
 
-   !> Value of --accuracy, which lies where an accuracy can be promised. It chooses the kind: who names that too contradicts
-   !> himself.
+   !> Value of --accuracy, which lies where an accuracy can be promised. It chooses the kind: who names that too
+   !> contradicts himself.
    subroutine accuracy_option(arguments, accuracy, error)
       type(arguments_type), intent(in) :: arguments
       real(real64), intent(inout) :: accuracy       !! On entry the default
@@ -271,7 +272,8 @@ contains
       call sink%put('Options:')
       do i = 1, size(options)
          if (options(i)%command == command .or. options(i)%command == '') &
-            call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), width)//trim(options(i)%meaning))
+            call sink%put('  '//padded(trim(options(i)%name)//' '//trim(options(i)%value), width)// &
+               trim(options(i)%meaning))
       end do
    end subroutine write_options
 

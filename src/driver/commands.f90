@@ -59,8 +59,10 @@ module kyvadlo_commands
       option_type('simulate', '--pendulum', 'NAME', 'the pendulum of this name or number, of a scene with several'), &
       option_type('simulate', '--explain', '', &
          'first say which path was chosen, why, and what it will cost (standard error)'), &
-      option_type('simulate', '--most-steps', 'N', 'steps that an integration may take (default 1e7); more are refused'), &
-      option_type('simulate', '--accuracy', 'A', 'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
+      option_type('simulate', '--most-steps', 'N', &
+         'steps that an integration may take (default 1e7); more are refused'), &
+      option_type('simulate', '--accuracy', 'A', &
+         'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
       option_type('simulate', '--check', '', &
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
       option_type('simulate', '--threads', 'N', &

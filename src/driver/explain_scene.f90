@@ -16,8 +16,8 @@ module kyvadlo_explain_scene
    private
    public :: explain_scene
 
-   !> Samples of the first trial and of the last, a thousandth of a second on the exact paths. A trial longer than so many
-   !> seconds is not followed by one of more samples.
+   !> Samples of the first trial and of the last, a thousandth of a second on the exact paths. A trial longer than so
+   !> many seconds is not followed by one of more samples.
    integer(int64), parameter :: first_trial = 16, last_trial = 4096, growth = 16
    real(wp), parameter :: patience = 0.01_wp
 
@@ -46,8 +46,8 @@ contains
       if (path%path == path_string) call message('events:   '//integer_text(size(path%events)))
       if (path%path == path_integrated) then
          call message('accuracy: '//digits_text(path%tolerance, 2)//', error of a step')
-         call message('steps:    about '//trim(digits_text(path%steps, 2))//' of at most '//trim(digits_text(path%most_steps, 2)) &
-            //' (--most-steps)')
+         call message('steps:    about '//trim(digits_text(path%steps, 2))//' of at most '// &
+            trim(digits_text(path%most_steps, 2))//' (--most-steps)')
       end if
       call message('columns: '//names)
       call message('samples:  '//counted(simulation%settings%samples)//' over '//digits_text(path%duration, 6)//' s')
@@ -68,12 +68,12 @@ contains
       bytes = bytes/trial%settings%samples
       call message('cost:     '//trim(digits_text(1e9_wp*seconds, 3))//' ns a sample, '//digits_text(all*seconds, 3) &
          //' s in all, measured on the first '//counted(trial%settings%samples))
-      call message('output:   '//integer_text(nint(bytes))//' bytes a sample as CSV, '//digits_text(all*bytes/2**20, 3) &
-         //' MiB in all')
+      call message('output:   '//integer_text(nint(bytes))//' bytes a sample as CSV, '// &
+         digits_text(all*bytes/2**20, 3)//' MiB in all')
    end subroutine explain_scene
 
-   !> Seconds and bytes of a scene, its samples dropped: the least of five short trials, as the first may pay for the start of
-   !> threads, and any for what else the machine does.
+   !> Seconds and bytes of a scene, its samples dropped: the least of five short trials, as the first may pay for the
+   !> start of threads, and any for what else the machine does.
    subroutine try(simulation, path, seconds, bytes, error)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path

@@ -1,5 +1,5 @@
-!> A picture of a motion, drawn by gnuplot: seen from above, height against time, the path in space. The script and its data
-!> are written beside it, with gnuplot or without.
+!> A picture of a motion, drawn by gnuplot: seen from above, height against time, the path in space. The script and its
+!> data are written beside it, with gnuplot or without.
 module kyvadlo_plot_samples
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
@@ -56,10 +56,11 @@ contains
          call fail(error, code_input, "option --plot needs the name of a file that ends in .svg or .png, got '" &
             //shown(picture)//"'")
       else if (.not. is_printable(picture)) then
-         call fail(error, code_input, "option --plot needs a name of UTF-8 without control characters, got '"//picture//"'")
+         call fail(error, code_input, "option --plot needs a name of UTF-8 without control characters, got '"// &
+            picture//"'")
       else if (.not. is_printable(title)) then
-         call fail(error, code_input, "option --plot: the pendulum's name must be UTF-8 without control characters, got '" &
-            //title//"'")
+         call fail(error, code_input, &
+            "option --plot: the pendulum's name must be UTF-8 without control characters, got '"//title//"'")
       else
          call add_output(files, 'option --plot', picture)
          call add_output(files, 'the script of option --plot', picture(:stem)//'.gp', mark)

@@ -1,5 +1,5 @@
-!> The files of one run, read and written, compared before it begins: no output destroys an input, another output, or what
-!> somebody else wrote.
+!> The files of one run, read and written, compared before it begins: no output destroys an input, another output, or
+!> what somebody else wrote.
 module kyvadlo_run_files
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
    use kyvadlo_status, only: code_file, code_input, error_type, fail
@@ -56,8 +56,8 @@ contains
          call message('kyvadlo: '//path//' is a pipe: waiting for what is written into it')
    end subroutine add_input
 
-   !> Notes a file that is written; `-` and no path are standard output. With a mark an old file is replaced only if it begins
-   !> so.
+   !> Notes a file that is written; `-` and no path are standard output. With a mark an old file is replaced only if it
+   !> begins so.
    subroutine add_output(files, role, path, mark)
       type(run_files_type), intent(inout) :: files
       character(len=*), intent(in) :: role, path
@@ -110,8 +110,8 @@ contains
             if (one%mark == '') cycle
             if (kyvadlo_kind_of_file(one%path//c_null_char) == kind_absent) cycle
             if (kyvadlo_begins_with(one%path//c_null_char, one%mark//c_null_char) /= 0) cycle
-            call fail(error, code_file, one%role//' would replace '//one%path//', which kyvadlo did not write; remove it or '// &
-               'choose another name')
+            call fail(error, code_file, one%role//' would replace '//one%path// &
+               ', which kyvadlo did not write; remove it or choose another name')
             return
          end associate
       end do

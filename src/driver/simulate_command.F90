@@ -16,8 +16,8 @@ module kyvadlo_simulate_command
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_scene_effects, only: get_table_path
-   use kyvadlo_standard_io, only: close_output, discard_output, get_unfinished_name, is_on_terminal, is_terminal, message, &
-      open_output, output_type
+   use kyvadlo_standard_io, only: close_output, discard_output, get_unfinished_name, is_on_terminal, is_terminal, &
+      message, open_output, output_type
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_text, only: shown
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
@@ -41,8 +41,10 @@ contains
          return
       end if
       call check_options(arguments, error)
-      if (.not. allocated(error)) call number_option(arguments, '--accuracy', 0.1_wp, 'above 0, at most 0.1', accuracy, error)
-      if (.not. allocated(error)) call number_option(arguments, '--most-steps', 1e15_wp, 'above 0, at most 1e15', most_steps, error)
+      if (.not. allocated(error)) call number_option(arguments, '--accuracy', 0.1_wp, 'above 0, at most 0.1', &
+         accuracy, error)
+      if (.not. allocated(error)) call number_option(arguments, '--most-steps', 1e15_wp, 'above 0, at most 1e15', &
+         most_steps, error)
       if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
       if (.not. allocated(error)) call read_scene(arguments, simulation, error)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
@@ -67,8 +69,8 @@ contains
       text = option_value(arguments, name, '')
       call read_number(text, value, what)
       if (.not. allocated(what) .and. .not. (value > 0 .and. value <= largest)) what = 'out of range'
-      if (allocated(what)) call fail(error, code_input, 'option '//name//' must be a number '//range//", got '"//shown(text) &
-         //"' ("//what//')')
+      if (allocated(what)) call fail(error, code_input, 'option '//name//' must be a number '//range//", got '"// &
+         shown(text)//"' ("//what//')')
    end subroutine number_option
 
    !> What else can be said of the options before anything is written.
@@ -150,8 +152,9 @@ contains
 
       if (path%path /= path_integrated) return
       if (is_checked .and. .not. path%tolerance/10 >= 1e-15_wp) then
-         call fail(error, code_input, 'option --accuracy must be at least 1e-14 beside --check, which takes a tenth of it, got ' &
-            //digits_text(path%tolerance, 2))
+         call fail(error, code_input, &
+            'option --accuracy must be at least 1e-14 beside --check, which takes a tenth of it, got '// &
+            digits_text(path%tolerance, 2))
       else if (.not. path%tolerance >= 1e-15_wp) then
          call fail(error, code_input, 'option --accuracy must be at least 1e-15 for a scene that is integrated, got ' &
             //digits_text(path%tolerance, 2))
@@ -281,8 +284,9 @@ contains
 
       if (path%path == path_integrated) then
          call message('check: at a tenth of the accuracy, '//digits_text(path%tolerance/10, 2)//', places differ by ' &
-            //digits_text(check%position, 3)//' m at most (t = '//digits_text(check%position_time, 4)//' s), velocities by ' &
-            //digits_text(check%velocity, 3)//' m/s (t = '//digits_text(check%velocity_time, 4)//' s)')
+            //digits_text(check%position, 3)//' m at most (t = '//digits_text(check%position_time, 4)// &
+            ' s), velocities by '//digits_text(check%velocity, 3)//' m/s (t = '// &
+            digits_text(check%velocity_time, 4)//' s)')
       else
          call message('check: nothing was integrated: '//path%method)
       end if

@@ -20,8 +20,8 @@ module kyvadlo_standard_io
    integer, parameter :: standard_output = 1
    integer, parameter :: longest_line = 1048576 !! Of a request; 80 MB without an end of line are no request
 
-   !> Buffered output. What cannot be written ends the program, with a message and status 2, and leaves no unfinished file:
-   !> nobody computes for a full disk, and no command need ask.
+   !> Buffered output. What cannot be written ends the program, with a message and status 2, and leaves no unfinished
+   !> file: nobody computes for a full disk, and no command need ask.
    type, extends(text_sink_type) :: output_type
       private
       integer(c_int) :: descriptor = standard_output
@@ -110,7 +110,8 @@ contains
       stack = kyvadlo_stack_of_threads()
       if (stack == 0 .or. stack >= least_stack) return
       write (text, '(i0)') stack
-      call fail(error, code_input, 'OMP_STACKSIZE gives a thread '//trim(text)//' bytes; it needs 131072 (128k) or more')
+      call fail(error, code_input, 'OMP_STACKSIZE gives a thread '//trim(text)// &
+         ' bytes; it needs 131072 (128k) or more')
    end subroutine prepare_program
 
    !> Ends the program. (`stop` prints its code; gfortran 11 cannot be told not to.)

@@ -12,7 +12,8 @@ contains
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
 
-      call fail(error, code_input, arguments%command//': this build has no quadruple precision, in which a study measures errors')
+      call fail(error, code_input, arguments%command// &
+         ': this build has no quadruple precision, in which a study measures errors')
    end subroutine study_command
 
 end module kyvadlo_study_command

@@ -31,15 +31,16 @@ module kyvadlo_study_command
    public :: study_command
 
    !> The questions that may be asked.
-   character(len=*), parameter :: all_questions(*) = [character(len=13) :: 'position', 'position_1000', 'period', 'roots', &
-      'gaps', 'functions']
-   !> Seconds of measuring a cell, and of the longest pass, with which `--quick` stays under 20 s on two cores of a common server;
-   !> with those of `study_type` the full study stays under 5 minutes.
+   character(len=*), parameter :: all_questions(*) = [character(len=13) :: 'position', 'position_1000', 'period', &
+      'roots', 'gaps', 'functions']
+   !> Seconds of measuring a cell, and of the longest pass, with which `--quick` stays under 20 s on two cores of a
+   !> common server; with those of `study_type` the full study stays under 5 minutes.
    real(real64), parameter :: quick_seconds = 0.002_real64, quick_cap = 0.03_real64
 
 contains
 
-   !> Runs the command. What is wrong with options or scenes is found before anything is measured, and no file is written then.
+   !> Runs the command. What is wrong with options or scenes is found before anything is measured, and no file is
+   !> written then.
    subroutine study_command(arguments, error)
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
@@ -117,7 +118,8 @@ contains
          if (.not. (seconds > 0 .and. seconds <= longest)) what = 'more than 0, 60 at most'
       end if
       if (allocated(what)) then
-         call fail(error, code_input, "option --seconds must be a number of seconds, got '"//shown(text)//"' ("//what//')')
+         call fail(error, code_input, "option --seconds must be a number of seconds, got '"//shown(text)//"' ("// &
+            what//')')
          return
       end if
       study%cap = max(study%cap, 5*seconds)
@@ -247,8 +249,8 @@ contains
       type(cell_type), intent(in) :: cell
       character(len=200) :: line
 
-      write (line, '(i0,9a)') count + 1, '  ', trim(cell%question), '  ', trim(cell%orbit), '  ', trim(cell%method), ' ', &
-         trim(cell%setting), ' '//trim(cell%kind)
+      write (line, '(i0,9a)') count + 1, '  ', trim(cell%question), '  ', trim(cell%orbit), '  ', trim(cell%method), &
+         ' ', trim(cell%setting), ' '//trim(cell%kind)
       write (error_unit, '(2a)', advance='no') achar(13), line(:progress_width())
       flush (error_unit)
    end subroutine show_progress

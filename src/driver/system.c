@@ -1,6 +1,7 @@
 /* What the program needs from the system and Fortran does not offer: output whose every failure is seen, files that are
    written under a random name and renamed when whole, signals that leave nothing behind, gnuplot without a shell.
-   system_posix.inc and system_windows.inc offer the same functions. Where nothing else is said they return 0 or an errno. */
+   system_posix.inc and system_windows.inc offer the same functions. Where nothing else is said they return 0 or an
+   errno. */
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #define _DARWIN_C_SOURCE

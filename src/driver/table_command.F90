@@ -104,13 +104,14 @@ contains
       call accuracy_option(arguments, accuracy, error)
       if (allocated(error)) return
       if (accuracy < 1) then
-         ! One digit more than the accuracy has, so that rounding adds a tenth of it at most. Single would round the scene.
+         ! One digit more than the accuracy has, so that rounding adds a tenth of it at most. Single would round the
+         ! scene.
          options%digits = min(1 + ceiling(-log10(accuracy)), most_digits)
          kind = 'quad'
          if (accuracy >= least_of_double) kind = 'double'
          if (kind == 'quad' .and. .not. with_quad) then
-            call fail(error, code_input, 'option --accuracy: this build has no quadruple precision, and double precision '// &
-               'keeps 1e-13')
+            call fail(error, code_input, &
+               'option --accuracy: this build has no quadruple precision, and double precision keeps 1e-13')
             return
          end if
       end if

@@ -1,4 +1,5 @@
-!> Samples on their way to a file, watched: a line on the terminal says how far they are, and where only a picture is wanted they end there.
+!> Samples on their way to a file, watched: a line on the terminal says how far they are, and where only a picture is
+!> wanted they end there.
 module kyvadlo_watched_samples
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
    use kyvadlo_kinds, only: wp => real64

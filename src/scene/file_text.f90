@@ -78,7 +78,8 @@ contains
       end if
    end subroutine read_file
 
-   !> Reads what is there, at most the buffer full, into a buffer: how many bytes, 0 at the end, a negative errno on failure.
+   !> Reads what is there, at most the buffer full, into a buffer: how many bytes, 0 at the end, a negative errno on
+   !> failure.
    integer function read_input(descriptor, buffer) result(count)
       integer, intent(in) :: descriptor                !! 0: standard input
       character(len=*), intent(inout) :: buffer

@@ -82,7 +82,8 @@ contains
             last = last + 1
             quoted(last:last) = text(i:i)
          else
-            quoted(last + 1:last + 4) = '\'//achar(48 + code/64)//achar(48 + modulo(code/8, 8))//achar(48 + modulo(code, 8))
+            quoted(last + 1:last + 4) = '\'//achar(48 + code/64)//achar(48 + modulo(code/8, 8))// &
+               achar(48 + modulo(code, 8))
             last = last + 4
          end if
       end do
@@ -93,8 +94,8 @@ contains
    pure logical function is_harmless(code)
       integer, intent(in) :: code
 
-      is_harmless = code >= 128 .or. index('abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 ./,:;-_+()=', &
-         achar(code)) > 0
+      is_harmless = code >= 128 .or. &
+         index('abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 ./,:;-_+()=', achar(code)) > 0
    end function is_harmless
 
    pure integer function visible_length(text) result(length)

@@ -1,10 +1,10 @@
-!> Random changes of scenes, pivot tables, requests of eval and options, handed to the readers in one process: millions of
-!> inputs in minutes, under the sanitizers.
+!> Random changes of scenes, pivot tables, requests of eval and options, handed to the readers in one process: millions
+!> of inputs in minutes, under the sanitizers.
 !>
 !>    attacks_fuzz scene|simulation|table|request|options|all COUNT [FIRST]
 !>
-!> Input number i is the same in every run; what goes wrong ends the program, and the last number printed says where. It must
-!> run in a folder of its own: `table` writes a file.
+!> Input number i is the same in every run; what goes wrong ends the program, and the last number printed says where. It
+!> must run in a folder of its own: `table` writes a file.
 program attacks_fuzz
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit, real32, real64
    use kyvadlo_command_line, only: arguments_type, sort_words
@@ -19,30 +19,33 @@ program attacks_fuzz
 
    character(len=*), parameter :: lf = new_line('a')
    integer, parameter :: longest = 4096
-   character(len=80), parameter :: words(*) = [character(len=80) :: '1e400', '-0', 'nan', '1e-400', '99999999999', '10000*1', &
-      '3*', "'", '"', "''", '&', '/', '!', '=', ',', '(1)', '(1:3)', '(-1)', '1e300', '-1e300', '4.9e-324', '.true.', '.f.', &
-      '1d0', '1q0', 'inf', '&end', '&output', '&pendulum', '#', '0', '1', '-1', '0.5', '+', '-', '.', 'e', '1e', '--', '=', &
-      achar(0), achar(9), achar(10), achar(13), achar(127), char(255), char(239)//char(187)//char(191), 'position=', &
-      'velocity=', 'z_upper=', 'length=', 'gravity=', 'duration=', 'samples=', 'name=', '2147483648', '9223372036854775808', &
-      '1e-16', '0.9999999999999999', '--kind', '--output', 'quad', 'single', 'K', 'theta', 'Pi', 'cubic', 'state']
+   character(len=80), parameter :: words(*) = [character(len=80) :: '1e400', '-0', 'nan', '1e-400', '99999999999', &
+      '10000*1', '3*', "'", '"', "''", '&', '/', '!', '=', ',', '(1)', '(1:3)', '(-1)', '1e300', '-1e300', '4.9e-324', &
+      '.true.', '.f.', '1d0', '1q0', 'inf', '&end', '&output', '&pendulum', '#', '0', '1', '-1', '0.5', '+', '-', '.', &
+      'e', '1e', '--', '=', achar(0), achar(9), achar(10), achar(13), achar(127), char(255), char(239)//char(187)// &
+      char(191), 'position=', 'velocity=', 'z_upper=', 'length=', 'gravity=', 'duration=', 'samples=', 'name=', &
+      '2147483648', '9223372036854775808', '1e-16', '0.9999999999999999', '--kind', '--output', 'quad', 'single', 'K', &
+      'theta', 'Pi', 'cubic', 'state']
    character(len=400), parameter :: scenes(*) = [character(len=400) :: &
       "&pendulum name='swing', length=1, z_upper=0.3, z_lower=-0.8 /", &
       '&pendulum length=67 gravity=9.81 release_angle=2.5 release_speed=0.05 / ! Foucault', &
       '&pendulum length=1 position=0.6,0,-0.8 velocity=3*0.5 /'//lf//'&output duration=2 samples=9'// &
       " quantities='position azimuth energy' /"//lf//'&string restitution=0.5 /', &
-      '&pendulum length=1 energy_above_top=0.1 momentum=0.2 /'//lf//'&air linear=0.1 quadratic=0.2 / &wind velocity=1,2,3 /', &
-      '&pendulum length=1 z_upper=-0.2 z_lower=-0.8 /'//lf//'&earth_rotation latitude=48.85 / &buoyancy density_ratio=0.1 '// &
-      'added_mass=0.5 / &elastic stiffness=1000 mass=1 /', &
-      '&pendulum length=1 z_upper=-0.2 z_lower=-0.8 /'//lf//'&moving_pivot amplitude=0.1,0,0 frequency=3*0.5 phase=3*90 '// &
+      '&pendulum length=1 energy_above_top=0.1 momentum=0.2 /'//lf// &
+      '&air linear=0.1 quadratic=0.2 / &wind velocity=1,2,3 /', '&pendulum length=1 z_upper=-0.2 z_lower=-0.8 /'//lf// &
+      '&earth_rotation latitude=48.85 / &buoyancy density_ratio=0.1 '// &
+      'added_mass=0.5 / &elastic stiffness=1000 mass=1 /', '&pendulum length=1 z_upper=-0.2 z_lower=-0.8 /'//lf// &
+      '&moving_pivot amplitude=0.1,0,0 frequency=3*0.5 phase=3*90 '// &
       'relative=.true. / &anisotropic_support extra_length_x=0.1 / &turning_frame rate=0.1 / &output samples=3 /']
-   character(len=400), parameter :: tables(*) = [character(len=400) :: '0 0 0 0'//lf//'1,0.5,0,0'//lf//'2 1 0 0 # end'//lf, &
-      '0 0 0 0'//lf//'0.5 1e-3 2e-3 3e-3'//lf//lf//'1 0 0 0'//lf//'9 0 0 0']
+   character(len=400), parameter :: tables(*) = [character(len=400) :: '0 0 0 0'//lf//'1,0.5,0,0'//lf// &
+      '2 1 0 0 # end'//lf, '0 0 0 0'//lf//'0.5 1e-3 2e-3 3e-3'//lf//lf//'1 0 0 0'//lf//'9 0 0 0']
    character(len=400), parameter :: requests(*) = [character(len=400) :: 'K 0.5', 'Piinc 0.5 1.2 0.3', 'jacobi 3 0.7', &
       'theta 3 0.2 0.1', 'cubic 1 2 3 4', 'turning 1 9.8 1 1', 'orbit 1 9.8 0.3 -0.8', 'position 1 9.8 0.3 -0.8 12', &
       'state 1 9.8 0.6 0 -0.8 0 1 0 3', 'passage_height 1 9.8 0.3 -0.8 0', 'rj 1 2 3 4', 'heuman 1 0.5', 'zeta 1 0.5']
    character(len=400), parameter :: options(*) = [character(len=400) :: 'table --kind quad --divisions 4 scene.nml', &
       'simulate scene.nml --output=out.csv --events e --explain', 'eval --kind single K 0.5 -- -1', &
-      'table --upper -0.9:0.9:19 --lower=-1:0:11 --format csv', 'study --quick --seconds 1e-3 --output d', '--help', '-h']
+      'table --upper -0.9:0.9:19 --lower=-1:0:11 --format csv', 'study --quick --seconds 1e-3 --output d', '--help', &
+      '-h']
 
    character(len=*), parameter :: kinds(*) = [character(len=10) :: 'scene', 'simulation', 'table', 'request', 'options']
    integer(int64) :: state
@@ -58,7 +61,8 @@ program attacks_fuzz
       call get_command_argument(3, word)
       read (word, *) first
    end if
-   if (all(kinds /= kind) .and. kind /= 'all') error stop 'attacks_fuzz scene|simulation|table|request|options|all COUNT [FIRST]'
+   if (all(kinds /= kind) .and. &
+      kind /= 'all') error stop 'attacks_fuzz scene|simulation|table|request|options|all COUNT [FIRST]'
    do k = 1, size(kinds)
       if (kind == 'all' .or. kind == kinds(k)) call try_all(kinds(k))
    end do

@@ -28,8 +28,8 @@ cat >sevenths.nml <<'END'
 END
 run simulate sevenths.nml
 checks=$((checks + 1))
-cut -d , -f 1 out | tr '\n' ' ' >times
-[ "$(cat times)" = 't 0e+00 1e-01 2e-01 3e-01 4e-01 5e-01 6e-01 7e-01 ' ] || complain "tenths expected: $(cat times)"
+cut -d , -f 1 out | tr '\n' ' ' >ticks
+[ "$(cat ticks)" = 't 0e+00 1e-01 2e-01 3e-01 4e-01 5e-01 6e-01 7e-01 ' ] || complain "tenths expected: $(cat ticks)"
 
 # Columns as asked, in that order; what does not exist is empty.
 cat >rest.nml <<'END'
