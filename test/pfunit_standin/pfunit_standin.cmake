@@ -7,7 +7,7 @@ set_target_properties(pf2f90 PROPERTIES Fortran_MODULE_DIRECTORY ${CMAKE_CURRENT
 
 add_library(funit STATIC)
 target_sources(funit PRIVATE ${CMAKE_CURRENT_LIST_DIR}/funit.f90 ${CMAKE_CURRENT_LIST_DIR}/funit_record.f90
-  ${CMAKE_CURRENT_LIST_DIR}/funit_values.f90)
+  ${CMAKE_CURRENT_LIST_DIR}/funit_values.F90)
 set_target_properties(funit PROPERTIES Fortran_MODULE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/funit.modules)
 target_include_directories(funit PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/funit.modules)
 target_link_libraries(funit PRIVATE kyvadlo_flags)

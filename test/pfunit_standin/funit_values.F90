@@ -1,51 +1,85 @@
 !> Any argument of an assertion as one kind of value: numbers, logicals and text of every kind and rank, flattened.
 module funit_values
-   use, intrinsic :: iso_fortran_env, only: int8, int16, int32, int64, real32, real64, real128
+   use, intrinsic :: iso_fortran_env, only: int8, int16, int32, int64, real32, real64
+#ifndef KYVADLO_NO_REAL128
+   use, intrinsic :: iso_fortran_env, only: real128
+#endif
    implicit none
    private
    public :: qp, values_type, flat, one, rounded, image, list, conformable, subscripts
 
+   !> The widest kind that there is.
+#ifdef KYVADLO_NO_REAL128
+   integer, parameter :: qp = merge(selected_real_kind(18), real64, selected_real_kind(18) > 0)
+#else
    integer, parameter :: qp = real128
+#endif
 
    type :: values_type
       character(len=2) :: class = ''           !! As kind_of gives it; blank for an empty array
       complex(qp), allocatable :: v(:)         !! The elements in array order; logicals are 0 or 1
       integer, allocatable :: shape(:)         !! Of the argument
       character(len=:), allocatable :: s       !! The text, where the argument is one
-      logical :: supported = .true.            !! False for a rank that is not read here
    end type values_type
+
+   !> Elements, shape and kind of any argument of rank 0 to 3.
+   interface flat
+      module procedure flat_scalar, flat_vector, flat_matrix, flat_cube
+   end interface flat
 
 contains
 
-   !> Elements, shape and kind of `x`, of rank 0 to 3.
-   function flat(x) result(f)
-      class(*), intent(in) :: x(..)
+   function flat_scalar(x) result(f)
+      class(*), intent(in) :: x
       type(values_type) :: f
-      allocate (f%shape, source=shape(x))
-      select rank (x)
-      rank (0)
-         f%class = kind_of(x)
-         f%v = [one(x)]
-         select type (x)
-         type is (character(len=*)); f%s = x
-         end select
-      rank (1)
-         if (size(x) > 0) f%class = kind_of(x(1))
-         f%v = one(x)
-      rank (2)
-         if (size(x) > 0) f%class = kind_of(x(1, 1))
-         f%v = reshape(one(x), [size(x)])
-      rank (3)
-         if (size(x) > 0) f%class = kind_of(x(1, 1, 1))
-         f%v = reshape(one(x), [size(x)])
-      rank default
-         f%supported = .false.
-         f%v = [complex(qp) ::]
+      f%class = kind_of(x)
+      allocate (f%v(1), f%shape(0))
+      f%v(1) = one(x)
+      select type (x)
+      type is (character(len=*)); f%s = x
       end select
-   end function flat
+   end function flat_scalar
+
+   function flat_vector(x) result(f)
+      class(*), intent(in) :: x(:)
+      type(values_type) :: f
+      integer :: i
+      allocate (f%v(size(x)))
+      f%shape = shape(x)
+      if (size(x) > 0) f%class = kind_of(x(1))
+      do i = 1, size(x)
+         f%v(i) = one(x(i))
+      end do
+   end function flat_vector
+
+   function flat_matrix(x) result(f)
+      class(*), intent(in) :: x(:, :)
+      type(values_type) :: f, column
+      integer :: i
+      allocate (f%v(0))
+      do i = 1, size(x, 2)
+         column = flat_vector(x(:, i))
+         f%v = [f%v, column%v]
+         f%class = column%class
+      end do
+      f%shape = shape(x)
+   end function flat_matrix
+
+   function flat_cube(x) result(f)
+      class(*), intent(in) :: x(:, :, :)
+      type(values_type) :: f, layer
+      integer :: i
+      allocate (f%v(0))
+      do i = 1, size(x, 3)
+         layer = flat_matrix(x(:, :, i))
+         f%v = [f%v, layer%v]
+         f%class = layer%class
+      end do
+      f%shape = shape(x)
+   end function flat_cube
 
    !> A scalar of any kind as a complex number; text and derived types give 0.
-   elemental complex(qp) function one(x)
+   pure complex(qp) function one(x)
       class(*), intent(in) :: x
       one = 0
       select type (x)
@@ -55,10 +89,14 @@ contains
       type is (integer(int64)); one = x
       type is (real(real32)); one = x
       type is (real(real64)); one = x
-      type is (real(real128)); one = x
+#ifndef KYVADLO_WIDEST_IS_DOUBLE
+      type is (real(qp)); one = x
+#endif
       type is (complex(real32)); one = x
       type is (complex(real64)); one = x
-      type is (complex(real128)); one = x
+#ifndef KYVADLO_WIDEST_IS_DOUBLE
+      type is (complex(qp)); one = x
+#endif
       type is (logical); one = merge(1, 0, x)
       end select
    end function one
@@ -73,10 +111,14 @@ contains
       type is (integer(int64)); kind_of = 'i8'
       type is (real(real32)); kind_of = 'r4'
       type is (real(real64)); kind_of = 'r8'
-      type is (real(real128)); kind_of = 'rq'
+#ifndef KYVADLO_WIDEST_IS_DOUBLE
+      type is (real(qp)); kind_of = 'rq'
+#endif
       type is (complex(real32)); kind_of = 'c4'
       type is (complex(real64)); kind_of = 'c8'
-      type is (complex(real128)); kind_of = 'cq'
+#ifndef KYVADLO_WIDEST_IS_DOUBLE
+      type is (complex(qp)); kind_of = 'cq'
+#endif
       type is (logical); kind_of = 'l'
       type is (character(len=*)); kind_of = 's'
       class default; kind_of = '?'
@@ -104,7 +146,7 @@ contains
       select case (class)
       case ('r4'); write (b, '(g0)') real(z, real32)
       case ('r8'); write (b, '(g0)') real(z, real64)
-      case ('rq'); write (b, '(g0)') real(z, real128)
+      case ('rq'); write (b, '(g0)') real(z, qp)
       case ('c4'); write (b, '("(",g0,",",g0,")")') cmplx(z, kind=real32)
       case ('c8'); write (b, '("(",g0,",",g0,")")') cmplx(z, kind=real64)
       case ('cq'); write (b, '("(",g0,",",g0,")")') z
