@@ -36,6 +36,15 @@ while [ "$i" -lt "$count" ]; do
    i=$((i + 1))
    command=$(cat "$scratch/$i.command")
    case $command in ./bootstrap*) cp "$scratch/$i.expected" "$scratch/$i.got"; continue ;; esac
+   # An example in C++ is not built where there is no such compiler; pictures and pages need their tools.
+   for tool in orbit_cpp gnuplot python3 pkg-config fpm; do
+      case " $command" in
+         *[\ \|]$tool*) command -v "$tool" >/dev/null 2>&1 && continue
+            echo "$page:$(cat "$scratch/$i.line"): not run: $command ($tool is not here)"
+            cp "$scratch/$i.expected" "$scratch/$i.got"
+            continue 2 ;;
+      esac
+   done
    run=$((run + 1))
    sh -c "$command" >"$scratch/$i.got" 2>&1 </dev/null
    if ! diff "$scratch/$i.expected" "$scratch/$i.got" >"$scratch/difference"; then

@@ -32,6 +32,18 @@ reason_against() {
    esac
 }
 
+# The tool in a command that is not installed here, and that ./bootstrap does not install.
+absent_tool() {
+   for tool in fpm gnuplot cpack python3 pkg-config c++ g++ f2py ford dot; do
+      case " $1" in
+         *[\ \(]$tool\ *) command -v "$tool" >/dev/null 2>&1 || { echo "$tool"; return; } ;;
+      esac
+   done
+   case $1 in
+      *checks/style.sh*) command -v findent || command -v fortitude || command -v shellcheck || echo findent ;;
+   esac | sed '/\//d'
+}
+
 # The blocks, as files $scratch/blocks/N, and a list of them: N page line language name.
 mkdir "$scratch/blocks"
 awk -v dir="$scratch/blocks" '
@@ -102,8 +114,9 @@ while read -r n name_of_page line language name <&3; do
       page=$name_of_page
       rm -rf "$scratch/session" "$HOME"
       mkdir -p "$scratch/session/build" "$HOME"
-      if [ -e .git ]; then git ls-files -z; else find . -path ./build -prune -o \( -type f -o -type l \) -print0; fi |
-         tar --null -T - -cf - | tar -xf - -C "$scratch/session"
+      if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then git ls-files -z
+      else find . \( -path ./build -o -path ./.git \) -prune -o \( -type f -o -type l \) -print0
+      fi | tar --null -T - -cf - | tar -xf - -C "$scratch/session"
       ln -s "$place" "$scratch/session/build/release"
    fi
    block=$scratch/blocks/$n
@@ -131,14 +144,13 @@ while read -r n name_of_page line language name <&3; do
          run=$((run + 1)) ;;
       sh)
          : >"$scratch/script"
+         absent=
          while IFS= read -r command <&4; do
             command=$(printf '%s\n' "$command" | sed 's/  *#.*//')
             [ -n "$command" ] || continue
             why=$(reason_against "$command")
-            case ${command%% *} in
-               fpm | gnuplot | cpack | python3)
-                  command -v "${command%% *}" >/dev/null 2>&1 || why='the tool is not here' ;;
-            esac
+            absent=${absent:-$(absent_tool "$command")}      # what follows in the block needs it too
+            [ -z "$absent" ] || why="$absent is not here"
             if [ -n "$why" ]; then echo "$page:$line: not run: $command ($why)"; continue; fi
             printf '%s\n' "$command" >>"$scratch/script"
             run=$((run + 1))
