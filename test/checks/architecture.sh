@@ -103,4 +103,8 @@ if ! diff $picture.dot "$scratch/dot"; then
    exit 1
 fi
 grep -q 'pictures/architecture.svg' doc/architecture.md || { echo 'doc/architecture.md does not show the picture'; exit 1; }
+# shellcheck disable=SC2016  # backquotes of Markdown
+for file in $(grep -o '`src/[^` ]*`' doc/architecture.md | tr -d '`' | sort -u); do
+   [ -e "$file" ] || { echo "doc/architecture.md names $file, which is not there"; exit 1; }
+done
 echo "$(wc -l <"$scratch/sources") sources are drawn in doc/architecture.md"
