@@ -51,6 +51,8 @@ contains
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
       if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
+      if (.not. allocated(error) .and. path%figures > 0 .and. is_netcdf_name(option_value(arguments, '--output', ''))) &
+         call fail(error, code_input, 'option --accuracy below 1e-16 needs CSV: a NetCDF file (.nc) has doubles')
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command

@@ -21,6 +21,7 @@ module kyvadlo_watched_samples
    contains
       procedure :: begin => begin_watched
       procedure :: take => take_watched
+      procedure :: take_written => take_written_watched
       procedure :: note => note_watched
    end type watched_samples_type
 
@@ -66,6 +67,19 @@ contains
       sink%done = sink%done + size(values, 1)
       if (sink%shows) call show(sink)
    end subroutine take_watched
+
+   subroutine take_written_watched(sink, values, cells, goes_on)
+      class(watched_samples_type), intent(inout) :: sink
+      real(wp), intent(in) :: values(:, :)
+      character(len=*), intent(in) :: cells(:, :)
+      logical, intent(out) :: goes_on
+
+      goes_on = .true.
+      if (associated(sink%picture)) call sink%picture%take(values, goes_on)
+      if (associated(sink%samples)) call sink%samples%take_written(values(:, :sink%columns), cells(:, :sink%columns), goes_on)
+      sink%done = sink%done + size(values, 1)
+      if (sink%shows) call show(sink)
+   end subroutine take_written_watched
 
    subroutine note_watched(sink, event)
       class(watched_samples_type), intent(inout) :: sink

@@ -21,6 +21,7 @@ module kyvadlo_sample_text
    contains
       procedure :: begin => begin_csv
       procedure :: take => take_csv
+      procedure :: take_written => take_written_csv
       procedure :: note => note_csv
    end type csv_samples_type
 
@@ -76,6 +77,24 @@ contains
          call sink%lines%put(sink%strips(strip)%text(:used(strip)))
       end do
    end subroutine take_csv
+
+   subroutine take_written_csv(sink, values, cells, goes_on)
+      class(csv_samples_type), intent(inout) :: sink
+      real(wp), intent(in) :: values(:, :)
+      character(len=*), intent(in) :: cells(:, :)
+      logical, intent(out) :: goes_on
+      character(len=size(cells, 2)*(len(cells) + 1)) :: line
+      integer :: i, j
+
+      goes_on = size(values, 1) == size(cells, 1)
+      do i = 1, size(cells, 1)
+         line = cells(i, 1)
+         do j = 2, size(cells, 2)
+            line = trim(line)//','//cells(i, j)
+         end do
+         call sink%lines%put(trim(line))
+      end do
+   end subroutine take_written_csv
 
    !> Buffers for so many strips.
    subroutine make_room(sink, strips, columns)

@@ -24,6 +24,7 @@ module kyvadlo_samples
    contains
       procedure(begin_samples), deferred :: begin
       procedure(take_samples), deferred :: take
+      procedure :: take_written
       procedure(note_event), deferred :: note
    end type sample_sink_type
 
@@ -50,5 +51,18 @@ module kyvadlo_samples
          type(scene_event_type), intent(in) :: event
       end subroutine note_event
    end interface
+
+contains
+
+   !> Some samples as text too, with figures that no double holds: for who writes them; others take the numbers.
+   subroutine take_written(sink, values, cells, goes_on)
+      class(sample_sink_type), intent(inout) :: sink
+      real(wp), intent(in) :: values(:, :)            !! (sample, column)
+      character(len=*), intent(in) :: cells(:, :)     !! The same; blank: does not exist
+      logical, intent(out) :: goes_on                 !! .false.: no more are wanted
+
+      call sink%take(values, goes_on)
+      if (size(cells) == 0) goes_on = .false.
+   end subroutine take_written
 
 end module kyvadlo_samples

@@ -19,6 +19,7 @@ module kyvadlo_simulate
    use kyvadlo_status, only: error_type
    use kyvadlo_string, only: event_rebound, event_slack, event_taut, string_event_type
    use kyvadlo_turning_frame, only: seen_from_turning_frame
+   use kyvadlo_wide_samples, only: fill_wide, is_wide, longest_cell
    implicit none
    private
    public :: simulate
@@ -39,6 +40,7 @@ contains
 #ifdef KYVADLO_WITH_GSL
       type(integrated_type) :: integrated
 #endif
+      character(len=longest_cell), allocatable :: cells(:, :)
       integer(int64) :: first
       integer :: noted
       logical :: goes_on, is_one_orbit
@@ -50,6 +52,7 @@ contains
 #ifdef KYVADLO_WITH_GSL
       if (path%path == path_integrated) call begin_integration(integrated, path, block, present(check), error)
 #endif
+      allocate (cells(merge(block_samples, 0, path%figures > 0), merge(block%visible, 0, path%figures > 0)))
       noted = 0
       goes_on = .not. allocated(error)
       first = 0
@@ -57,6 +60,16 @@ contains
          block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
          call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, first, &
             block%values(:block%count, 1))
+         if (is_wide(path)) then
+            call fill_wide(simulation, path, block, cells)
+            if (path%figures > 0) then
+               call sink%take_written(block%values(:block%count, :block%visible), cells(:block%count, :), goes_on)
+            else
+               call sink%take(block%values(:block%count, :block%visible), goes_on)
+            end if
+            first = first + block%count
+            cycle
+         end if
          select case (path%path)
          case (path_constant)
             call fill_constant(path, block)

@@ -1,7 +1,7 @@
 !> How a scene is computed: the one place where the path is chosen.
 module kyvadlo_simulation_path
    use kyvadlo
-   use kyvadlo_accuracy, only: accurate_orbit_type, new_orbit_to_accuracy
+   use kyvadlo_accuracy, only: accurate_orbit_type, accuracy_finest_quad, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_forces, only: forces_type, new_forces
@@ -38,6 +38,7 @@ module kyvadlo_simulation_path
       type(effects_type) :: effects
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
+      integer :: figures = 0                    !! To write, of an accuracy finer than doubles; 0: those of doubles
       type(string_motion_type) :: string        !! Of `path_string`
       type(string_event_type), allocatable :: events(:) !! Of `path_string`, with one at the start if the string is slack there
       real(wp) :: position(3) = 0, velocity(3) = 0 !! At the start, relative to the pivot [m], [m/s]
@@ -68,6 +69,13 @@ module kyvadlo_simulation_path
    real(wp), parameter :: default_tolerance = 1e-12_wp
    !> Steps of an integration without another bound: some ten seconds to a minute.
    real(wp), parameter :: default_most_steps = 1e7_wp
+   !> Where double precision cannot tell the phase: what must be left of it.
+   real(wp), parameter :: phase_accuracy = 1e-3_wp
+   !> Places are written as doubles down to this accuracy; in finer ones so many figures at most tell what quadruple precision has.
+   real(wp), parameter :: finest_of_doubles = 1e-16_wp
+   integer, parameter :: most_figures = 34
+   !> What two parts of a double resolve.
+   real(wp), parameter :: finest_of_parts = epsilon(1.0_wp)**2
    real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
@@ -119,7 +127,12 @@ contains
             path%reason = 'no effect without a closed form is asked for'
             if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))//': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
-            if (present(accuracy)) call plan_accuracy(pendulum, accuracy, path, error)
+            if (present(accuracy)) then
+               call plan_accuracy(simulation, pendulum, accuracy, path, error)
+            else if (path%duration > path%orbit%time_limit()) then
+               ! Double precision cannot tell the phase to the end.
+               call plan_accuracy(simulation, pendulum, phase_accuracy, path, error)
+            end if
          end if
       end associate
    end subroutine choose_path
@@ -264,23 +277,43 @@ contains
    end subroutine check_table
 
    !> The cheapest evaluation that keeps an accuracy of the places throughout.
-   subroutine plan_accuracy(pendulum, accuracy, path, error)
-      type(pendulum_type), intent(in) :: pendulum
+   subroutine plan_accuracy(simulation, pendulum, accuracy, path, error)
+      type(simulation_type), intent(in) :: simulation
+      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
       real(wp), intent(in) :: accuracy
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
       integer :: values
 
+      if (accuracy < accuracy_finest_quad) then
+         call fail(error, code_input, 'option --accuracy must be at least '//trim(digits_text(accuracy_finest_quad, 2)) &
+            //' for a scene in closed form, got '//digits_text(accuracy, 2))
+         return
+      end if
       values = merge(3, 1, pendulum%start == start_state)
       allocate (path%plan)
       call new_orbit_to_accuracy(path%plan, pendulum%start, pendulum%length, pendulum%gravity, pendulum%first(:values), &
          pendulum%second(:values), accuracy, path%duration, error, path%gravity_rest)
+      if (.not. allocated(error) .and. lost_phase(path) > max(accuracy, finest_of_parts)) &
+         call fail(error, code_unsupported, '')
       if (allocated(error)) then
-         error%message = pendulum%file//': '//error%message
-      else
-         path%method = path%method//' ('//trim(path%plan%choice_text())//')'
+         error%message = place_of(pendulum%file, max(simulation%settings%line(output_group), 1))//'&output: over ' &
+            //trim(digits_text(path%duration, 6))//' s an accuracy of '//trim(digits_text(accuracy, 2)) &
+            //' cannot be kept: rounding alone loses the phase by more; shorten duration'
+         return
       end if
+      path%method = path%method//' ('//trim(path%plan%choice_text())//')'
+      ! Two figures more than the accuracy has, so that rounding adds a hundredth of it.
+      if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
    end subroutine plan_accuracy
+
+   !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a double [rad].
+   pure real(wp) function lost_phase(path)
+      type(path_type), intent(in) :: path
+
+      lost_phase = 0
+      if (path%effects%density_ratio > 0) lost_phase = epsilon(path%duration)**2/4*(sqrt(path%gravity/path%length)*path%duration)
+   end function lost_phase
 
    !> The groups without a closed form, in words, blanks behind.
    pure function integrated_groups(simulation) result(words)

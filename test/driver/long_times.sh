@@ -35,4 +35,57 @@ sed 's/rate=0.3/rate=2/; s/samples=2/samples=2, quantities="azimuth"/' frame.nml
 run simulate along.nml
 checks=$((checks + 1))
 tail -n 1 out | awk -F, '!($2*$2 < 1e-30) { exit 1 }' || complain 'no azimuth expected in a frame that turns along'
+
+# A release angle is in two parts too: 50 degrees were 3.5e-8 l off.
+cat >release.nml <<'END'
+&pendulum length=1, release_angle=50, release_speed=0 /
+&output duration=1e9, samples=2 /
+END
+run simulate release.nml
+last -0.26376881558684936633 '' -0.96458592770364976478 'a release'
+
+# Where double precision cannot tell the phase more digits are taken, with or without an accuracy.
+cat >phase.nml <<'END'
+&pendulum length=1, release_angle=30, release_speed=0 /
+&output duration=6e15, samples=4, quantities='position velocity energy tension azimuth inclination speed momentum' /
+END
+for options in '' '--accuracy 1e-6'; do
+   run simulate phase.nml --explain $options
+   expect_status 0
+   checks=$((checks + 1))
+   grep -q '^path: .*(real128)$' err || complain 'real128 expected'
+   last 0.234865943064057988 0 -0.972027771613872497 "6e15 s, $options"
+   checks=$((checks + 1))
+   # z and the rest agree: energy, inclination; the azimuth is that of x, half a turn up every half period.
+   awk -F, 'NR > 1 { v = ($5^2 + $7^2)/2 + 9.80665*$4; if (!((v - $8)^2 < 1e-24) || !((sin($11) - ($2 < 0 ? -$2 : $2))^2 < 1e-24) ||
+      !(($9 - $12^2 + 9.80665*$4)^2 < 1e-24)) print }' out >wrong
+   [ ! -s wrong ] || complain "the columns contradict each other: $(cat wrong)"
+done
+sed 's/6e15/6e17/' phase.nml >later.nml
+run simulate later.nml
+last -0.469551419408600156 0 -0.882905127707031087 '6e17 s'
+for duration in 1e300 1e36; do
+   sed "s/6e15/$duration/" phase.nml >lost.nml
+   fails 2 'lost.nml:2: &output: over ' simulate lost.nml
+done
+# The gravity in a fluid is known to two parts of a double.
+sed 's/6e15/1e30/' phase.nml >fluid_later.nml
+echo '&buoyancy density_ratio=0.1 /' >>fluid_later.nml
+fails 2 'cannot be kept' simulate fluid_later.nml
+
+# Below 1e-16 the figures that are kept are written: l = g = 1 from 90 degrees.
+cat >figures.nml <<'END'
+&pendulum length=1, gravity=1, release_angle=90, release_speed=0 /
+&output duration=2, samples=3 /
+END
+run simulate figures.nml --accuracy 1e-20
+expect_status 0
+expect_match '^1e+00,0.87954813241188915462[0-9]*,0,-0.47580992294272079709[0-9]*,'
+expect_match '^2e+00,-0.20419321478828042252[0-9]*,0,-0.97893060583190838214[0-9]*,'
+run simulate figures.nml --accuracy 1e-30
+expect_match '^2e+00,-0.204193214788280422521119048027'
+run simulate figures.nml --accuracy 1e-15
+expect_match '^1e+00,8.79548132411889[0-9]*e-01,'
+fails 2 'option --accuracy must be at least 1.2e-32' simulate figures.nml --accuracy 1e-40
+fails 2 '.nc' simulate figures.nml --accuracy 1e-20 --output figures.nc
 finish
