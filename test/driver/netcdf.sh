@@ -43,7 +43,7 @@ pid=$!
 i=0
 while ! ls ./*part* >/dev/null 2>&1 && [ "$i" -lt 50 ]; do i=$((i + 1)); sleep 0.1; done
 sleep 0.2
-kill -INT "$pid"
+kill -TERM "$pid"
 wait "$pid" 2>/dev/null
 status=$?
 checks=$((checks + 1))
