@@ -6,6 +6,7 @@
 module kyvadlo_f77_pendulum
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_f_pointer, c_loc
    use kyvadlo, error_type => kyvadlo_error_type
+   use kyvadlo_numbers, only: nan => quiet_nan_real64
    implicit none
    private
    public :: kyvper, kyvroo, kyvset, kyvgap, kyvene, kyvsta, kyvpos, kyvmny, kyvmnv, kyvazi
@@ -19,7 +20,6 @@ module kyvadlo_f77_pendulum
    integer, parameter :: ier_count = 13    !! A number of times below 0
    !> First element of a WORK that holds an orbit; changes with the layout of `orbit_type`.
    real(c_double), parameter :: signature = 20261130.0_c_double
-   real(c_double), parameter :: nan = transfer(ishft(4095_c_int64_t, 51), 0.0_c_double)
 
 contains
 
@@ -110,15 +110,11 @@ contains
       real(c_double), intent(in) :: work(*), time
       real(c_double), intent(out) :: position(3), velocity(3)
       integer(c_int), intent(out) :: ier
+      type(orbit_type), pointer :: orbit
 
-      ier = code_of_work(work)
+      call find_orbit(work, orbit, ier)
       if (ier == 0) then
-         block
-            type(orbit_type), pointer :: own
-
-            own => orbit_in(work)
-            call own%locate(time, position, velocity)
-         end block
+         call orbit%locate(time, position, velocity)
       else
          position = nan
          velocity = nan
@@ -131,17 +127,13 @@ contains
       real(c_double), intent(in) :: work(*), time(*)
       real(c_double), intent(inout) :: x(*), y(*), z(*)
       integer(c_int), intent(out) :: ier
+      type(orbit_type), pointer :: orbit
 
-      ier = code_of_work(work)
+      call find_orbit(work, orbit, ier)
       if (n < 0) then
          ier = ier_count
       else if (ier == 0) then
-         block
-            type(orbit_type), pointer :: own
-
-            own => orbit_in(work)
-            call own%locate(time(:n), x(:n), y(:n), z(:n))
-         end block
+         call orbit%locate(time(:n), x(:n), y(:n), z(:n))
       else
          x(:n) = nan
          y(:n) = nan
@@ -155,17 +147,13 @@ contains
       real(c_double), intent(in) :: work(*), time(*)
       real(c_double), intent(inout) :: x(*), y(*), z(*), vx(*), vy(*), vz(*)
       integer(c_int), intent(out) :: ier
+      type(orbit_type), pointer :: orbit
 
-      ier = code_of_work(work)
+      call find_orbit(work, orbit, ier)
       if (n < 0) then
          ier = ier_count
       else if (ier == 0) then
-         block
-            type(orbit_type), pointer :: own
-
-            own => orbit_in(work)
-            call own%locate(time(:n), x(:n), y(:n), z(:n), vx(:n), vy(:n), vz(:n))
-         end block
+         call orbit%locate(time(:n), x(:n), y(:n), z(:n), vx(:n), vy(:n), vz(:n))
       else
          x(:n) = nan
          y(:n) = nan
@@ -181,15 +169,11 @@ contains
       real(c_double), intent(in) :: work(*), time
       real(c_double), intent(out) :: phi
       integer(c_int), intent(out) :: ier
+      type(orbit_type), pointer :: orbit
 
-      ier = code_of_work(work)
+      call find_orbit(work, orbit, ier)
       phi = nan
-      block
-         type(orbit_type), pointer :: own
-
-         own => orbit_in(work)
-         if (ier == 0) phi = own%azimuth(time)
-      end block
+      if (ier == 0) phi = orbit%azimuth(time)
    end subroutine kyvazi
 
    !> Puts an orbit into WORK, if the set-up found one and WORK is long enough.
@@ -211,20 +195,16 @@ contains
       work(1) = signature
    end subroutine pack_orbit
 
-   !> Whether WORK holds an orbit: 0 or `ier_foreign`. Its bits are compared: it may hold a NaN, which would trap.
-   pure integer function code_of_work(work)
-      real(c_double), intent(in) :: work(*)
-
-      code_of_work = merge(0, ier_foreign, transfer(work(1), 0_c_int64_t) == transfer(signature, 0_c_int64_t))
-   end function code_of_work
-
-   !> The orbit whose bytes WORK holds, in place: 1.7 kB are not copied for one position.
-   function orbit_in(work) result(orbit)
+   !> The orbit whose bytes WORK holds, in place: 1.7 kB are not copied for one position. IER is `ier_foreign` where it
+   !> holds none; bits are compared, since WORK may hold a NaN, which would trap.
+   subroutine find_orbit(work, orbit, ier)
       real(c_double), intent(in), target :: work(*)
-      type(orbit_type), pointer :: orbit
+      type(orbit_type), pointer, intent(out) :: orbit
+      integer(c_int), intent(out) :: ier
 
+      ier = merge(0, ier_foreign, transfer(work(1), 0_c_int64_t) == transfer(signature, 0_c_int64_t))
       call c_f_pointer(c_loc(work(2)), orbit)
-   end function orbit_in
+   end subroutine find_orbit
 
    !> The code of a set-up, 0 for success.
    pure integer function code_of(error)
