@@ -16,6 +16,6 @@ program accuracy
       call new_orbit_to_accuracy(orbit, start_heights, length, gravity, [upper], [lower], wanted(i), span, error)
       if (allocated(error)) error stop error%message
       call orbit%locate(time, x, y, z)
-      print '(es8.0, 2x, a)', wanted(i), orbit%choice_text()
+      print '(es8.0, 2x, a)', wanted(i), trim(orbit%choice_text())
    end do
 end program accuracy

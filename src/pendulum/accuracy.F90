@@ -4,14 +4,12 @@
 !> |time| <= `span`, the period by at most `accuracy` T, velocities by at most 2 `accuracy` max(v_max, sqrt(g l)).
 !> What is chosen from, by rising cost of a place at many times (doc/speed.md has the figures):
 !>
-!>     grade 1      real32 vectors, harmonics 0 and 1 of the theta series, short sines
-!>     grade 2      real32 vectors, harmonics 0 to 2
-!>     grade 3      real64 vectors, harmonics 0 to 2, shorter sines
-!>     grade 4      real64 vectors, harmonics 0 to 3, shorter sines
+!>     grade_single real32 vectors, harmonics 0 to 2 of the theta series
+!>     grade_short  real64 vectors, harmonics 0 to 2, shorter sines
 !>     grade_full   real64 vectors as in `locate` without an accuracy
 !>     real128      the scalar form
 !>
-!> Grades 1 to 4 reduce the time by the period in plain real64, which limits the span.
+!> The first two reduce the time by the period in plain real64, which limits the span.
 module kyvadlo_accuracy
    use, intrinsic :: iso_fortran_env, only: real32, real64
 #ifdef KYVADLO_NO_REAL128
@@ -174,7 +172,7 @@ contains
          is_kept = .true.
          call drop_harmonics(plan%orbit%kernel, grade_harmonics(grade))
          plan%orbit%kernel%grade = grade
-         if (grade_is_narrow(grade)) call clear_smallest(plan%orbit%kernel)
+         if (grade == grade_single) call clear_smallest(plan%orbit%kernel)
          return
       end do
       plan%bound = bounds(grade_full)
@@ -285,7 +283,7 @@ contains
          else if (b%grade == grade_full) then
             words = 'real64 vectors, all terms'
          else
-            words = merge('real32', 'real64', grade_is_narrow(b%grade))//' vectors, harmonics 0 to '// &
+            words = merge('real32', 'real64', b%grade == grade_single)//' vectors, harmonics 0 to '// &
                achar(iachar('0') + grade_harmonics(b%grade))
          end if
       end associate
@@ -297,7 +295,7 @@ contains
       character(len=7) :: name
 
       name = 'real64'
-      if (grade_is_narrow(plan%orbit%kernel%grade)) name = 'real32'
+      if (plan%orbit%kernel%grade == grade_single) name = 'real32'
       if (allocated(plan%wide)) name = 'real128'
    end function kind_text
 

@@ -1,4 +1,5 @@
-!> What the position error of an orbit is at most, grade by grade of the batch kernels: the model by which kyvadlo_accuracy chooses.
+!> What the position error of an orbit is at most, grade by grade of the batch kernels: the model by which
+!> kyvadlo_accuracy chooses.
 module kyvadlo_accuracy_bounds
    use, intrinsic :: iso_fortran_env, only: real32, real64
 #ifdef KYVADLO_NO_REAL128
@@ -14,15 +15,16 @@ module kyvadlo_accuracy_bounds
    private
    public :: error_bounds, half_periods, accuracy_finest_double, accuracy_finest_quad
 
-   !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are promised.
+   !> The worst position error of double precision, in l: 6.4 eps were measured (test/unit/test_batch.pf), 16 are
+   !> promised.
    real(real64), parameter :: accuracy_finest_double = 16*epsilon(1.0_real64)
    !> The same of real128, whose series and pairs are the same to its own epsilon; with four times the room.
    real(real64), parameter :: accuracy_finest_quad = min(accuracy_finest_double, real(64*epsilon(1.0_real128), real64))
-   !> What real32 adds by rounding once the phase is reduced, in l: 3.3 eps at worst in 27000 random orbits of every regime and 24
-   !> places of each; 6 leave room.
+   !> What real32 adds by rounding once the phase is reduced, in l: 3.3 eps at worst in 27000 random orbits of every
+   !> regime and 24 places of each; 6 leave room.
    real(real64), parameter :: narrow_rounding = 6*real(epsilon(1.0_real32), real64)
-   !> Error of T, in eps T, and of lambda T, in eps pi, where the set-up rounds them: 2.8 and 2.6 at worst in 180000 random orbits
-   !> of every regime; of lambda T times K/E, which `set_up_rates` loses.
+   !> Error of T, in eps T, and of lambda T, in eps pi, where the set-up rounds them: 2.8 and 2.6 at worst in 180000
+   !> random orbits of every regime; of lambda T times K/E, which `set_up_rates` loses.
    real(real64), parameter :: rough_rounding = 6
    !> V up to 20: exp(4 V) and its inverse are in the range of real32.
    real(real64), parameter :: most_stretch = 40
@@ -32,9 +34,10 @@ contains
 
    !> Bounds of the position error in l, grade by grade; huge where a grade does not apply.
    !>
-   !> With P and F of [S5.1] the position is 2 l P F/(|P|**2 + |F|**2) and l (|P|**2 - |F|**2)/(the same): an error d of (P, F)
-   !> moves it by at most 2 l |d|/|(P, F)|, and |P|**2 + |F|**2 = 2 l D**2. So what counts is the error of P and F beside
-   !> sqrt(2 l) D, where D >= 1 - 2 q in the nome q, D >= cosh V at the bottom and D >= 1 at the top in the complementary nome.
+   !> With P and F of [S5.1] the position is 2 l P F/(|P|**2 + |F|**2) and l (|P|**2 - |F|**2)/(the same): an error d of
+   !> (P, F) moves it by at most 2 l |d|/|(P, F)|, and |P|**2 + |F|**2 = 2 l D**2. So what counts is the error of P and
+   !> F beside sqrt(2 l) D, where D >= 1 - 2 q in the nome q, D >= cosh V at the bottom and D >= 1 at the top in the
+   !> complementary nome.
    pure subroutine error_bounds(orbit, span, is_rough, bounds)
       type(orbit_type), intent(in) :: orbit
       real(real64), intent(in) :: span      !! [s]
@@ -50,17 +53,18 @@ contains
          halves = half_periods(orbit, span) + abs(orbit%start_phase%high)*b%per_half
          if (.not. halves <= most_halves - 1) return
          call weigh(orbit, left_out, sensitivity)
-         ! What a half period moves the bob at most, in l. In half periods the reduced phase is off by half an eps of the count
-         ! for each of: 2/T, the product, the sum, the start's product. The angle of the frame, in quarter turns, by as much for
-         ! each of: the advance, the product, the sum.
+         ! What a half period moves the bob at most, in l. In half periods the reduced phase is off by half an eps of
+         ! the count for each of: 2/T, the product, the sum, the start's product. The angle of the frame, in quarter
+         ! turns, by as much for each of: the advance, the product, the sum.
          travel = greatest_speed(orbit)*(orbit%period()/2)/orbit%length
          reduction = halves*epsilon(1.0_real64)*(2*travel + 1.5_real64*half_pi*abs(sum(b%advance)))
          ! The stretch of a half period is pi K/2K', K at least; half of the advance falls to it.
-         if (is_rough) reduction = reduction + rough_rounding*halves*epsilon(1.0_real64)*(travel + half_pi*(1 + b%stretch))
+         if (is_rough) reduction = reduction + rough_rounding*halves*epsilon(1.0_real64)*(travel &
+            + half_pi*(1 + b%stretch))
          do grade = 1, most_grade
-            if (grade_is_narrow(grade) .and. b%stretch > most_stretch) cycle
+            if (grade == grade_single .and. b%stretch > most_stretch) cycle
             error = merge(grade_cosh_error(grade), grade_sine_error(grade), b%form == form_dual)
-            rounding = merge(narrow_rounding, accuracy_finest_double, grade_is_narrow(grade))
+            rounding = merge(narrow_rounding, accuracy_finest_double, grade == grade_single)
             ! The sines of the frame add sqrt(2) of their error.
             bounds(grade) = rounding + reduction + left_out(grade_harmonics(grade)) + sensitivity*error &
                + sqrt(2.0_real64)*grade_sine_error(grade)
@@ -68,8 +72,8 @@ contains
       end associate
    end subroutine error_bounds
 
-   !> What harmonics above n are worth, and what a unit error of sine and cosine (relative, of the hyperbolic ones) does: both as
-   !> position errors in l.
+   !> What harmonics above n are worth, and what a unit error of sine and cosine (relative, of the hyperbolic ones)
+   !> does: both as position errors in l.
    pure subroutine weigh(orbit, left_out, sensitivity)
       type(orbit_type), intent(in) :: orbit
       real(real64), intent(out) :: left_out(0:3), sensitivity
@@ -120,8 +124,8 @@ contains
          largest = sqrt(a**2 + b**2)
       end function largest
 
-      !> c (sum of a u**n) + i s (sum of b u**n) with errors e of c, s and of sine in u = 1 - 2 sine**2, |sine| <= sqrt(1/2): u is
-      !> off by 2 sqrt(2) e.
+      !> c (sum of a u**n) + i s (sum of b u**n) with errors e of c, s and of sine in u = 1 - 2 sine**2, |sine| <=
+      !> sqrt(1/2): u is off by 2 sqrt(2) e.
       pure real(real64) function trigonometric_odd(wave)
          type(wave_type), intent(in) :: wave
          real(real64), parameter :: weights(0:3) = 1 + sqrt(8.0_real64)*[0, 1, 2, 3]
@@ -137,9 +141,9 @@ contains
          trigonometric_even = sum(weights*(abs(wave%cosine) + abs(wave%sine))) + sqrt(8.0_real64)*sum(abs(wave%sine))
       end function trigonometric_even
 
-      !> Relative to cosh V. Errors e relative to cosh of the reduced argument make 3 e relative to cosh V (the sum of the
-      !> exponents' cosh and sinh is at most twice the former, and cosh(n ln 2 + r) at least 2/3 of the product), 6 e
-      !> relative to u = cosh 2V.
+      !> Relative to cosh V. Errors e relative to cosh of the reduced argument make 3 e relative to cosh V (the sum of
+      !> the exponents' cosh and sinh is at most twice the former, and cosh(n ln 2 + r) at least 2/3 of the product), 6
+      !> e relative to u = cosh 2V.
       pure real(real64) function hyperbolic_odd(wave)
          type(wave_type), intent(in) :: wave
 

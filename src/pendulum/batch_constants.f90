@@ -4,12 +4,13 @@ module kyvadlo_batch_constants
    implicit none
    public
 
-   !> Points are evaluated in blocks of this size, each by itself: the outcome for a time does not depend on its neighbours.
+   !> Points are evaluated in blocks of this size, each by itself: the outcome for a time does not depend on its
+   !> neighbours.
    integer, parameter :: block_size = 256
    !> The kernels work on whole groups; the last block is filled up with zeros to one.
    integer, parameter :: group_size = 16
-   !> Half periods a kernel counts: the first parts of T/2 and of the turn have 53 - 32 bits, so that their products with the
-   !> count are exact.
+   !> Half periods a kernel counts: the first parts of T/2 and of the turn have 53 - 32 bits, so that their products
+   !> with the count are exact.
    real(real64), parameter :: most_halves = 2.0_real64**31
    integer, parameter :: part_bits = 21
 
@@ -19,18 +20,17 @@ module kyvadlo_batch_constants
    integer, parameter :: form_dual = 3         !! Nome q', bottom and top
 
    !> What the kernels leave out for a lower accuracy: kyvadlo_accuracy chooses, batch_kernel.inc tells what.
-   integer, parameter :: grade_full = 0, most_grade = 4
+   !> grade_single computes in real32 once the phase is reduced, which it does in real64.
+   integer, parameter :: grade_full = 0, grade_single = 1, grade_short = 2, most_grade = 2
    !> Harmonics above these are left out.
-   integer, parameter :: grade_harmonics(0:most_grade) = [3, 1, 2, 2, 3]
-   !> Grades that compute in real32 once the phase is reduced, which they do in real64.
-   logical, parameter :: grade_is_narrow(0:most_grade) = [.false., .true., .true., .false., .false.]
-   !> The largest errors of sine and cosine, and of cosh and sinh relative to cosh, as printed in batch_polynomials*.inc; with
-   !> |sin| <= 0.7072, sinh/cosh <= 0.3334.
-   real(real64), parameter :: grade_sine_error(0:most_grade) = [real(real64) :: 2.8e-17, 4.0e-5, 2.5e-8, 3.4e-12, 3.4e-15]
-   real(real64), parameter :: grade_cosh_error(0:most_grade) = [real(real64) :: 1.2e-17, 3.1e-7, 7.4e-9, 1.6e-12, 4.5e-16]
+   integer, parameter :: grade_harmonics(0:most_grade) = [3, 2, 2]
+   !> The largest errors of sine and cosine, and of cosh and sinh relative to cosh, as printed in
+   !> batch_polynomials*.inc; with |sin| <= 0.7072, sinh/cosh <= 0.3334.
+   real(real64), parameter :: grade_sine_error(0:most_grade) = [real(real64) :: 2.8e-17, 2.5e-8, 3.4e-12]
+   real(real64), parameter :: grade_cosh_error(0:most_grade) = [real(real64) :: 1.2e-17, 7.4e-9, 1.6e-12]
 
-   !> With u = cos 2v (cosh 2V in the dual form) and c, s the cosine and sine of v (V), s2 = 2 s c, coefficients of u**0 ... u**3:
-   !> an odd function is c*cosine(u) + i s*sine(u), an even one cosine(u) + i s2*sine(u).
+   !> With u = cos 2v (cosh 2V in the dual form) and c, s the cosine and sine of v (V), s2 = 2 s c, coefficients of u**0
+   !> ... u**3: an odd function is c*cosine(u) + i s*sine(u), an even one cosine(u) + i s2*sine(u).
    type :: wave_type
       real(real64) :: cosine(0:3) = 0        !! Even part
       real(real64) :: sine(0:3) = 0          !! Odd part
@@ -62,8 +62,8 @@ module kyvadlo_batch_constants
       real(real64) :: diameter = 0       !! 2 l [m]
       real(real64) :: rate = 0           !! dv/dt or dV/dt [1/s]
       real(real64) :: turn_rate = 0      !! rho [1/s]
-      !> P and F of [S5.1], up to a common factor, by passage: 1 bottom, 0 top (dual form only). At the bottom P is `odd` and
-      !> F `even` ("even" only in name for `form_direct_odd`), at the top F is `odd` and P `even`.
+      !> P and F of [S5.1], up to a common factor, by passage: 1 bottom, 0 top (dual form only). At the bottom P is
+      !> `odd` and F `even` ("even" only in name for `form_direct_odd`), at the top F is `odd` and P `even`.
       type(wave_type) :: odd(0:1), even(0:1)
    end type batch_type
 

@@ -5,22 +5,22 @@ module kyvadlo_batch_dispatch
    use kyvadlo_batch_constants
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
       beyond_baseline => any_beyond, periods_baseline => period_group
-   use kyvadlo_batch_kernel_baseline_1, only: place_baseline_1 => place_group, rates_baseline_1 => place_group_rates
-   use kyvadlo_batch_kernel_baseline_2, only: place_baseline_2 => place_group, rates_baseline_2 => place_group_rates
-   use kyvadlo_batch_kernel_baseline_3, only: place_baseline_3 => place_group, rates_baseline_3 => place_group_rates
-   use kyvadlo_batch_kernel_baseline_4, only: place_baseline_4 => place_group, rates_baseline_4 => place_group_rates
+   use kyvadlo_batch_kernel_baseline_single, only: place_baseline_single => place_group, &
+      rates_baseline_single => place_group_rates
+   use kyvadlo_batch_kernel_baseline_short, only: place_baseline_short => place_group, &
+      rates_baseline_short => place_group_rates
    use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, &
       beyond_v3 => any_beyond, periods_v3 => period_group
-   use kyvadlo_batch_kernel_v3_1, only: place_v3_1 => place_group, rates_v3_1 => place_group_rates
-   use kyvadlo_batch_kernel_v3_2, only: place_v3_2 => place_group, rates_v3_2 => place_group_rates
-   use kyvadlo_batch_kernel_v3_3, only: place_v3_3 => place_group, rates_v3_3 => place_group_rates
-   use kyvadlo_batch_kernel_v3_4, only: place_v3_4 => place_group, rates_v3_4 => place_group_rates
+   use kyvadlo_batch_kernel_v3_single, only: place_v3_single => place_group, &
+      rates_v3_single => place_group_rates
+   use kyvadlo_batch_kernel_v3_short, only: place_v3_short => place_group, &
+      rates_v3_short => place_group_rates
    use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, &
       beyond_v4 => any_beyond, periods_v4 => period_group
-   use kyvadlo_batch_kernel_v4_1, only: place_v4_1 => place_group, rates_v4_1 => place_group_rates
-   use kyvadlo_batch_kernel_v4_2, only: place_v4_2 => place_group, rates_v4_2 => place_group_rates
-   use kyvadlo_batch_kernel_v4_3, only: place_v4_3 => place_group, rates_v4_3 => place_group_rates
-   use kyvadlo_batch_kernel_v4_4, only: place_v4_4 => place_group, rates_v4_4 => place_group_rates
+   use kyvadlo_batch_kernel_v4_single, only: place_v4_single => place_group, &
+      rates_v4_single => place_group_rates
+   use kyvadlo_batch_kernel_v4_short, only: place_v4_short => place_group, &
+      rates_v4_short => place_group_rates
    implicit none
    private
    public :: vector_level, place_groups, place_groups_rates, period_groups, any_time_beyond
@@ -36,7 +36,8 @@ module kyvadlo_batch_dispatch
 
 contains
 
-   !> The level of the kernels to use: what the processor has, or less if less is wanted. 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
+   !> The level of the kernels to use: what the processor has, or less if less is wanted. 0 baseline, 1 x86-64-v3, 2
+   !> x86-64-v4.
    pure integer function vector_level(wanted) result(level)
       integer, intent(in), optional :: wanted
 
@@ -57,29 +58,17 @@ contains
       case (2)
          call place_v4(b, start, groups, time, x, y, z)
       case (3)
-         call place_baseline_1(b, start, groups, time, x, y, z)
+         call place_baseline_single(b, start, groups, time, x, y, z)
       case (4)
-         call place_v3_1(b, start, groups, time, x, y, z)
+         call place_v3_single(b, start, groups, time, x, y, z)
       case (5)
-         call place_v4_1(b, start, groups, time, x, y, z)
+         call place_v4_single(b, start, groups, time, x, y, z)
       case (6)
-         call place_baseline_2(b, start, groups, time, x, y, z)
+         call place_baseline_short(b, start, groups, time, x, y, z)
       case (7)
-         call place_v3_2(b, start, groups, time, x, y, z)
+         call place_v3_short(b, start, groups, time, x, y, z)
       case (8)
-         call place_v4_2(b, start, groups, time, x, y, z)
-      case (9)
-         call place_baseline_3(b, start, groups, time, x, y, z)
-      case (10)
-         call place_v3_3(b, start, groups, time, x, y, z)
-      case (11)
-         call place_v4_3(b, start, groups, time, x, y, z)
-      case (12)
-         call place_baseline_4(b, start, groups, time, x, y, z)
-      case (13)
-         call place_v3_4(b, start, groups, time, x, y, z)
-      case (14)
-         call place_v4_4(b, start, groups, time, x, y, z)
+         call place_v4_short(b, start, groups, time, x, y, z)
       case default
          call place_baseline(b, start, groups, time, x, y, z)
       end select
@@ -98,29 +87,17 @@ contains
       case (2)
          call rates_v4(b, start, groups, time, x, y, z, vx, vy, vz)
       case (3)
-         call rates_baseline_1(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_baseline_single(b, start, groups, time, x, y, z, vx, vy, vz)
       case (4)
-         call rates_v3_1(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_v3_single(b, start, groups, time, x, y, z, vx, vy, vz)
       case (5)
-         call rates_v4_1(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_v4_single(b, start, groups, time, x, y, z, vx, vy, vz)
       case (6)
-         call rates_baseline_2(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_baseline_short(b, start, groups, time, x, y, z, vx, vy, vz)
       case (7)
-         call rates_v3_2(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_v3_short(b, start, groups, time, x, y, z, vx, vy, vz)
       case (8)
-         call rates_v4_2(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (9)
-         call rates_baseline_3(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (10)
-         call rates_v3_3(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (11)
-         call rates_v4_3(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (12)
-         call rates_baseline_4(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (13)
-         call rates_v3_4(b, start, groups, time, x, y, z, vx, vy, vz)
-      case (14)
-         call rates_v4_4(b, start, groups, time, x, y, z, vx, vy, vz)
+         call rates_v4_short(b, start, groups, time, x, y, z, vx, vy, vz)
       case default
          call rates_baseline(b, start, groups, time, x, y, z, vx, vy, vz)
       end select

@@ -8,33 +8,15 @@ end module kyvadlo_batch_kernel_baseline
 #undef kernel_grade
 
 #define kernel_grade 1
-module kyvadlo_batch_kernel_baseline_1
+module kyvadlo_batch_kernel_baseline_single
    use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_baseline_1
+end module kyvadlo_batch_kernel_baseline_single
 #undef kernel_grade
 
 #define kernel_grade 2
-module kyvadlo_batch_kernel_baseline_2
+module kyvadlo_batch_kernel_baseline_short
    use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_baseline_2
-#undef kernel_grade
-
-#define kernel_grade 3
-module kyvadlo_batch_kernel_baseline_3
-   use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
-#include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_baseline_3
-#undef kernel_grade
-
-#define kernel_grade 4
-module kyvadlo_batch_kernel_baseline_4
-   use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
-#include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_baseline_4
+end module kyvadlo_batch_kernel_baseline_short
 #undef kernel_grade

@@ -8,33 +8,15 @@ end module kyvadlo_batch_kernel_v3
 #undef kernel_grade
 
 #define kernel_grade 1
-module kyvadlo_batch_kernel_v3_1
+module kyvadlo_batch_kernel_v3_single
    use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_v3_1
+end module kyvadlo_batch_kernel_v3_single
 #undef kernel_grade
 
 #define kernel_grade 2
-module kyvadlo_batch_kernel_v3_2
+module kyvadlo_batch_kernel_v3_short
    use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
 #include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_v3_2
-#undef kernel_grade
-
-#define kernel_grade 3
-module kyvadlo_batch_kernel_v3_3
-   use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
-#include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_v3_3
-#undef kernel_grade
-
-#define kernel_grade 4
-module kyvadlo_batch_kernel_v3_4
-   use kyvadlo_batch_constants
-   use kyvadlo_numbers_real64, only: quiet_nan
-#include "batch_kernel.inc"
-end module kyvadlo_batch_kernel_v3_4
+end module kyvadlo_batch_kernel_v3_short
 #undef kernel_grade

@@ -45,10 +45,8 @@ def ratio(function, scale):
 # The file of a grade: its kind, the degrees in the square of sine, cosine, sinh, cosh, and of the series of the period.
 GRADES = [
     ("batch_polynomials.inc", "real64", (6, 7, 5, 5), (7, 6)),
-    ("batch_polynomials_1.inc", "real32", (2, 2, 2, 2), None),
-    ("batch_polynomials_2.inc", "real32", (3, 4, 2, 3), None),
-    ("batch_polynomials_3.inc", "real64", (4, 5, 3, 4), None),
-    ("batch_polynomials_4.inc", "real64", (5, 6, 4, 5), None),
+    ("batch_polynomials_single.inc", "real32", (3, 4, 2, 3), None),
+    ("batch_polynomials_short.inc", "real64", (4, 5, 3, 4), None),
 ]
 
 

@@ -12,8 +12,8 @@ module kyvadlo_periods
 
 contains
 
-   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a fiftieth of the
-   !> time. NaN unless 0 <= bottom_gap < top_gap <= 2 l - bottom_gap, l > 0, g > 0.
+   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a fiftieth of
+   !> the time. NaN unless 0 <= bottom_gap < top_gap <= 2 l - bottom_gap, l > 0, g > 0.
    !> Error 3 ulp at worst (test/unit/test_periods.pf).
    elemental real(real64) function orbit_period_from_gaps(length, gravity, top_gap, bottom_gap) result(period)
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
@@ -28,8 +28,8 @@ contains
       call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
    end function orbit_period_from_gaps
 
-   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`. Arrays of different sizes give
-   !> NaN.
+   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`. Arrays of different sizes
+   !> give NaN.
    subroutine orbits_period_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
       real(real64), intent(in), dimension(:) :: top_gap, bottom_gap     !! l - z1, l + z2 [m] (n)
