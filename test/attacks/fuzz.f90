@@ -72,11 +72,15 @@ contains
    !> Every input of a kind.
    subroutine try_all(kind)
       character(len=*), intent(in) :: kind
+      integer :: j, k
 
       accepted = 0
       do i = first, first + count - 1
          if (modulo(i - first, 10000_int64) == 0) write (error_unit, '(2a,i0)') trim(kind), ' ', i
-         state = ieor(i*6364136223846793005_int64 + 1442695040888963407_int64, ishft(i, 32))
+         state = ieor(1442695040888963407_int64, ieor(i, ishft(i, 32)))
+         do j = 1, 4
+            k = random(2)
+         end do
          select case (kind)
          case ('scene')
             call try_scene(changed(scenes))
