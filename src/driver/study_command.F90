@@ -47,6 +47,7 @@ contains
       type(study_type) :: study
       type(study_orbit_type), allocatable :: orbits(:)
       type(study_cubic_type), allocatable :: cubics(:)
+      type(error_type), allocatable :: of_files
       type(output_type) :: output, record
       character(len=:), allocatable :: folder
       integer :: i
@@ -87,8 +88,7 @@ contains
       if (is_terminal(2)) write (error_unit, '(a)', advance='no') achar(13)//repeat(' ', progress_width())//achar(13)
 
       if (folder /= '') then
-         call write_files(study, folder, size(arguments%operands) > 0, record, error)
-         if (allocated(error)) return
+         call write_files(study, folder, size(arguments%operands) > 0, record, of_files)
       end if
       call open_output(output, '', error)
       if (allocated(error)) return
@@ -100,6 +100,8 @@ contains
       call write_summary(study, output)
       call put_checksum(study, output)
       call close_output(output, error)
+      ! What was measured is printed, whatever became of the files.
+      if (allocated(of_files)) call move_alloc(of_files, error)
    end subroutine study_command
 
    !> `--seconds S`: of measuring each cell, with a cap in proportion.
@@ -216,7 +218,7 @@ contains
       type(output_type), intent(inout) :: record             !! study.csv
       type(error_type), allocatable, intent(out) :: error
       type(text_type), allocatable :: questions(:)
-      type(error_type), allocatable :: of_picture
+      type(error_type), allocatable :: of_picture, failure
       type(output_type) :: output
       character(len=:), allocatable :: stem
       logical :: has_gnuplot
@@ -237,10 +239,11 @@ contains
          if (has_gnuplot) call draw_picture(stem//'.gp', stem//'.svg', has_gnuplot, of_picture)
          if (has_gnuplot .and. .not. allocated(of_picture)) &
             call draw_picture(stem//'.gp', stem//'.png', has_gnuplot, of_picture)
-         if (allocated(of_picture)) call message('kyvadlo: '//of_picture%message)
+         if (allocated(of_picture) .and. .not. allocated(failure)) call move_alloc(of_picture, failure)
       end do
       if (.not. has_gnuplot) &
          call message('kyvadlo: no gnuplot here to draw the pictures; where there is: gnuplot study_*.gp')
+      if (allocated(failure)) call move_alloc(failure, error)
    end subroutine write_files
 
    !> What is being measured, on the same line of the terminal.

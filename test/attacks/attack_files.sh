@@ -189,6 +189,16 @@ for how in 'exit 1' 'exit 0' 'printf "<svg"; exit 0' 'cat /dev/zero | head -c 50
       want 'no unfinished file' no_part
    done
 done
+line='study with gnuplot that draws a stump'
+printf '#!/bin/sh\nprintf "<svg"\n' >tools/gnuplot
+mkdir record
+echo 'old picture' >record/study_period.svg
+PATH=$PWD/tools:$PATH timeout 60 "$program" study --quick --seconds 0.0001 scene.nml --output record >out 2>err
+count $?
+refused 'gnuplot could not draw'
+want 'the old picture' grep -q '^old picture$' record/study_period.svg
+want 'what was measured' grep -q 'closed_form' out
+want 'no unfinished file' no_part
 line='simulate --plot without gnuplot'
 PATH=/nowhere "$program" simulate scene.nml --plot q.svg >out 2>err
 count $?
