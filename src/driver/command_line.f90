@@ -53,7 +53,7 @@ contains
          i = i + 1
          if (.not. only_operands .and. words(i)%text == '--') then
             only_operands = .true.
-         else if (.not. only_operands .and. looks_like_option(words(i)%text)) then
+         else if (.not. only_operands .and. looks_like_option(words(i)%text, arguments)) then
             call take_option(words, i, arguments, error)
          else if (arguments%command /= '' .or. only_operands) then
             call append(arguments%operands, words(i)%text)
@@ -104,12 +104,16 @@ contains
       call check_word(name, value, trim(options(j)%value), error)
    end subroutine take_option
 
-   logical function looks_like_option(word)
+   !> Behind the NAME of eval a word with one dash is an argument, -Infinity or a mistake that eval explains.
+   logical function looks_like_option(word, arguments)
       character(len=*), intent(in) :: word
+      type(arguments_type), intent(in) :: arguments
 
       looks_like_option = .false.
       if (len(word) < 2) return
       looks_like_option = word(1:1) == '-' .and. verify(word(2:2), '0123456789.') > 0
+      if (arguments%command == 'eval' .and. size(arguments%operands) > 0 .and. word /= '-h') &
+         looks_like_option = looks_like_option .and. word(2:2) == '-'
    end function looks_like_option
 
    !> One of the words of `a|b|c`, where the option asks for that.

@@ -68,6 +68,7 @@ module kyvadlo_commands
       option_type('simulate', '--threads', 'N', &
          'that share the work: they gain where cores are idle (default 1; 0: all there are)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
+      option_type('eval', '--modulus', '', 'arguments m and mc are given as their roots, the moduli k and k'''), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
       option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &

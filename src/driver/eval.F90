@@ -2,12 +2,14 @@
 #define orbit_type orbit_type_real32
 module kyvadlo_eval_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
+   use kyvadlo_numbers_real32, only: infinity
 #include "eval.inc"
 end module kyvadlo_eval_real32
 #undef orbit_type
 
 module kyvadlo_eval_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
+   use kyvadlo_numbers_real64, only: infinity
 #include "eval.inc"
 end module kyvadlo_eval_real64
 
@@ -15,6 +17,7 @@ end module kyvadlo_eval_real64
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_eval_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
+   use kyvadlo_numbers_real128, only: infinity
 #include "eval.inc"
 end module kyvadlo_eval_real128
 #endif

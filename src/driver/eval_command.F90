@@ -25,15 +25,16 @@ contains
       type(input_type) :: input
       character(len=:), allocatable :: line, answer, kind_word
       type(error_type), allocatable :: input_error
-      logical :: failed, ended, is_cut
+      logical :: failed, ended, is_cut, by_modulus
 
       status = 0
       kind_word = option_value(arguments, '--kind', 'double')
+      by_modulus = option_given(arguments, '--modulus')
       call open_output(output, '', error)
       if (option_given(arguments, '--list')) then
          call list_requests(output)
       else if (size(arguments%operands) > 0) then
-         call answer_in_kind(kind_word, join(arguments%operands, ' '), answer, failed)
+         call answer_in_kind(kind_word, join(arguments%operands, ' '), by_modulus, answer, failed)
          if (failed) then
             call message('error: '//answer)
             status = 1
@@ -48,7 +49,7 @@ contains
                failed = .true.
                answer = 'a request has at most '//integer_text(longest_line)//' bytes'
             else
-               call answer_in_kind(kind_word, line, answer, failed)
+               call answer_in_kind(kind_word, line, by_modulus, answer, failed)
             end if
             if (failed) then
                answer = 'error: '//answer
@@ -61,20 +62,21 @@ contains
       if (allocated(input_error) .and. .not. allocated(error)) call move_alloc(input_error, error)
    end subroutine eval_command
 
-   subroutine answer_in_kind(kind_word, line, answer, failed)
+   subroutine answer_in_kind(kind_word, line, by_modulus, answer, failed)
       character(len=*), intent(in) :: kind_word, line
+      logical, intent(in) :: by_modulus
       character(len=:), allocatable, intent(out) :: answer
       logical, intent(out) :: failed
 
       select case (kind_word)
       case ('single')
-         call answer_request(1.0_real32, line, answer, failed)
+         call answer_request(1.0_real32, line, by_modulus, answer, failed)
 #ifndef KYVADLO_NO_REAL128
       case ('quad')
-         call answer_request(1.0_real128, line, answer, failed)
+         call answer_request(1.0_real128, line, by_modulus, answer, failed)
 #endif
       case default
-         call answer_request(1.0_real64, line, answer, failed)
+         call answer_request(1.0_real64, line, by_modulus, answer, failed)
       end select
    end subroutine answer_in_kind
 

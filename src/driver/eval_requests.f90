@@ -48,10 +48,10 @@ module kyvadlo_eval_requests
       request_type('Bincc', 'phi mc', 'B', incomplete_domain), &
       request_type('Piinc', 'n phi m', 'Pi', incomplete_domain), &
       request_type('Piincc', 'n phi mc', 'Pi', incomplete_domain), &
-      request_type('cel', 'kc p a b', 'cel', ''), &
-      request_type('el1', 'x kc', 'el1', ''), &
-      request_type('el2', 'x kc a b', 'el2', ''), &
-      request_type('el3', 'x kc p', 'el3', ''), &
+      request_type('cel', 'kc p a b', 'cel', 'finite arguments'), &
+      request_type('el1', 'x kc', 'el1', 'kc finite'), &
+      request_type('el2', 'x kc a b', 'el2', 'kc, a and b finite'), &
+      request_type('el3', 'x kc p', 'el3', 'kc and p finite'), &
       request_type('nome', 'm', 'q', 'm <= 1'), &
       request_type('nomec', 'mc', 'q', 'mc >= 0'), &
       request_type('jacobi', 'u m', 'sn cn dn am', 'u and m finite'), &
@@ -68,6 +68,7 @@ module kyvadlo_eval_requests
       request_type('orbit', 'l g z1 z2', orbit_results, ''), &
       request_type('orbit_gaps', 'l g l-z1 l+z2', orbit_results, ''), &
       request_type('orbit_rises', 'l g l+z1 l+z2', orbit_results, ''), &
+      request_type('orbit_release', 'l g angle speed', orbit_results, ''), &
       request_type('azimuth', 'l g z1 z2 t', 'phi', azimuth_domain), &
       request_type('azimuth_gaps', 'l g l-z1 l+z2 t', 'phi', azimuth_domain), &
       request_type('azimuth_rises', 'l g l+z1 l+z2 t', 'phi', azimuth_domain), &

@@ -45,6 +45,36 @@ fails 1 'error: cubic: the coefficients must not all be zero' eval cubic 0 0 0 0
 fails 1 'error: passage_height: outside the domain (z2 <= z <= z1), got ' eval passage_height 1 1 0 -1 0.5
 fails 1 'error: theta: outside the domain (i = 1, 2, 3 or 4' eval theta 2.5 0 0.5
 fails 1 'error: rf: outside the domain (x, y, z >= 0), got -1e+00 2e+00 3e+00' eval rf -1 2 3
+fails 1 'error: jacobi: overflow' eval jacobi 1e200 -1e250
+fails 1 'error: zetac: overflow' eval zetac 1e200 1e250
+fails 1 'error: zeta: outside the domain (m <= 1), got' eval zeta 1 2
+# Infinities, and words that look like options behind the name.
+run eval rf Infinity 1 2
+expect_out '0e+00'
+run eval K -Infinity
+expect_out '0e+00'
+run eval nome -Infinity
+expect_out '-1e+00'
+run eval el1 -Infinity 0
+expect_out -Infinity
+fails 1 "error: K: argument 1: '-x': not a number" eval K -x
+fails 1 "error: cubic: the coefficients must not all be zero, and be finite" eval cubic 1 Infinity 0 1
+# --modulus: k for m, k' for mc; next to 1 by 1 - m = (1 - k)(1 + k).
+run eval --modulus K 0.5
+mv out by_modulus
+run eval K 0.25
+cmp -s out by_modulus || complain 'eval --modulus K 0.5 is not eval K 0.25'
+run eval --modulus Kc 0.5
+expect_out 2.1565156474996434e+00
+run eval --modulus Pi 0.5 0.9999999999999999
+mv out by_modulus
+run eval Pic 0.5 2.220446049250313e-16
+cmp -s out by_modulus || complain 'eval --modulus Pi next to k = 1 loses digits'
+# A release gives the constants of its orbit.
+run eval orbit_release 1 1 90 0
+mv out released
+run eval orbit 1 1 0 -1
+cmp -s out released || complain 'eval orbit_release 1 1 90 0 is not eval orbit 1 1 0 -1'
 run eval orbit 1 1 0 0
 expect_status 1
 

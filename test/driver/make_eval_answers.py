@@ -78,6 +78,8 @@ orbit = (T, sqrt(k2), sqrt(1 - k2), ellipk(k2), nome(k2), (phi_T - 2*pi)/T, phi_
 row('orbit 1 2 0.25 -0.75', *orbit)
 row('orbit_gaps 1 2 0.75 0.25', *orbit)
 row('orbit_rises 1 2 1.25 0.25', *orbit)
+release_T = 2*ellipk(h)/sqrt(2)
+row('orbit_release 1 2 90 0', release_T, sqrt(h), sqrt(h), ellipk(h), nome(h), -pi/release_T, pi, 0)
 turning = (z2, z1, z3, 1 + z2, 1 - z1, swing, z3 - z1, z3 - 1)
 # Energy and momentum of decimal form, with the roots of (5) for them: c1 = 2.5, c2 = 2
 roots = sorted(mp.polyroots([2*gravity, -2*mpf('2.5'), -2*gravity, 2*mpf('2.5') - 4], maxsteps=200, extraprec=200))
