@@ -1,8 +1,8 @@
 !> A bob in a fluid that carries part of its weight and moves along with it.
 !>
-!> Let r be the density of the fluid over that of the bob and k the added mass over the displaced mass (1/2 for a sphere in
-!> an ideal fluid). The fluid lifts by r of the weight and adds k r of the mass: (1 + k r) a = (1 - r) g + forces over mass.
-!> A pendulum with no other force moves as in vacuum under gravity g (1 - r)/(1 + k r).
+!> Let r be the density of the fluid over that of the bob and k the added mass over the displaced mass (1/2 for a sphere
+!> in an ideal fluid). The fluid lifts by r of the weight and adds k r of the mass: (1 + k r) a = (1 - r) g + forces
+!> over mass. A pendulum with no other force moves as in vacuum under gravity g (1 - r)/(1 + k r).
 module kyvadlo_buoyancy
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_pairs_real64, only: operator(*), operator(+), operator(/), pair, pair_type, two_difference, two_product
@@ -49,8 +49,8 @@ contains
       effective_weight = gravity*(1 - density_ratio)
    end function effective_weight
 
-   !> Mass of bob and fluid moved over the mass of the bob, 1 + k r. Energies and tensions of the vacuum pendulum times this
-   !> are those in the fluid, per mass of the bob.
+   !> Mass of bob and fluid moved over the mass of the bob, 1 + k r. Energies and tensions of the vacuum pendulum times
+   !> this are those in the fluid, per mass of the bob.
    elemental real(wp) function effective_inertia(density_ratio, added_mass)
       real(wp), intent(in) :: density_ratio, added_mass
 

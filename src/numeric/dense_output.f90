@@ -1,21 +1,23 @@
 !> The motion between the steps of an integration: the polynomial of degree 14 through the places, velocities and
 !> accelerations at the ends of the last four steps. It costs no evaluation of the forces.
 !>
-!> Its error in the newest interval is 3.6**3 h**15 p''''.../15! for equal steps h, below that of a step of order 8 where the
-!> steps are chosen by their error; what it is for a given motion tells the acceleration that it misses (see `defect_point`).
+!> Its error in the newest interval is 3.6**3 h**15 p''''.../15! for equal steps h, below that of a step of order 8
+!> where the steps are chosen by their error; what it is for a given motion tells the acceleration that it misses (see
+!> `defect_point`).
 module kyvadlo_dense_output
    use kyvadlo_kinds, only: wp => real64
    implicit none
    private
-   public :: interpolant_type, nodes, clear, add_node, prepare, interpolate, defect_point, defect_to_position, defect_to_velocity
+   public :: interpolant_type, nodes, clear, add_node, prepare, interpolate, defect_point, defect_to_position, &
+      defect_to_velocity
 
    !> Ends of steps.
    integer, parameter :: nodes = 5
    integer, parameter :: degree = 3*nodes - 1
 
-   !> Of the last step, from its end: where w = (x + 4)(x + 3)(x + 2)(x + 1)x, x = 0 at the end, is largest for equal steps. The
-   !> error of the place there is C w**3, that of the acceleration C*3*w**2*w'' = -32 of it, and the largest of the velocity
-   !> 3.7 of it: a missing acceleration a means errors of a h**2/32 and a h*3.7/32.
+   !> Of the last step, from its end: where w = (x + 4)(x + 3)(x + 2)(x + 1)x, x = 0 at the end, is largest for equal
+   !> steps. The error of the place there is C w**3, that of the acceleration C*3*w**2*w'' = -32 of it, and the largest
+   !> of the velocity 3.7 of it: a missing acceleration a means errors of a h**2/32 and a h*3.7/32.
    real(wp), parameter :: defect_point = -0.356_wp
    real(wp), parameter :: defect_to_position = 1/32.0_wp, defect_to_velocity = 3.7_wp/32
 

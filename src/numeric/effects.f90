@@ -1,5 +1,5 @@
-!> What may act on a real pendulum besides gravity and a rigid rod: one value, in which zero means off. doc/effects.md says how
-!> each effect works and how they combine.
+!> What may act on a real pendulum besides gravity and a rigid rod: one value, in which zero means off. doc/effects.md
+!> says how each effect works and how they combine.
 module kyvadlo_effects
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite
@@ -19,7 +19,8 @@ module kyvadlo_effects
       real(wp) :: pivot_phase(3) = 0      !! [rad]
       real(wp), allocatable :: pivot_times(:)             !! (n) knots of a table of displacements, ascending [s]
       real(wp), allocatable :: pivot_displacements(:, :)  !! (3, n) there, added to the harmonic ones [m]
-      real(wp), allocatable :: pivot_curvatures(:, :)     !! (3, n) second derivatives of the spline: new_pivot_table [m/s2]
+      !> (3, n) second derivatives of the spline: new_pivot_table [m/s2]
+      real(wp), allocatable :: pivot_curvatures(:, :)
       real(wp) :: stiffness = 0           !! Of an elastic rod or string, over mass; 0: it keeps its length [1/s2]
       real(wp) :: extra_length(2) = 0     !! How much longer the pendulum is when it swings along x, along y [m]
       logical :: is_string = .false.      !! Pulls only
@@ -47,7 +48,8 @@ contains
    pure logical function has_moving_pivot(effects)
       type(effects_type), intent(in) :: effects
 
-      has_moving_pivot = allocated(effects%pivot_times) .or. any(abs(effects%pivot_amplitude*effects%pivot_frequency) > 0)
+      has_moving_pivot = allocated(effects%pivot_times) .or. &
+         any(abs(effects%pivot_amplitude*effects%pivot_frequency) > 0)
    end function has_moving_pivot
 
    !> Fails on a coefficient that is no number, negative or outside its range.

@@ -1,10 +1,10 @@
 !> What moves the bob under the effects of a scene: one evaluation gives acceleration, tension and powers.
 !>
-!> Positions and velocities are relative to the pivot, in the axes of the laboratory (which may turn with the Earth). Forces
-!> are per mass of the bob. With fluid moved along, forces are divided by the inertia 1 + added_mass*density_ratio; the
-!> acceleration of the pivot is not, as the fluid rests in the laboratory, and Coriolis's acceleration is the bob's alone: in a fluid at
-!> rest in the turning frame that of the added mass is balanced by the lift of the fluid's vorticity (T. R. Auton,
-!> J. C. R. Hunt and M. Prud'homme, J. Fluid Mech. 197 (1988) 241).
+!> Positions and velocities are relative to the pivot, in the axes of the laboratory (which may turn with the Earth).
+!> Forces are per mass of the bob. With fluid moved along, forces are divided by the inertia 1 +
+!> added_mass*density_ratio; the acceleration of the pivot is not, as the fluid rests in the laboratory, and Coriolis's
+!> acceleration is the bob's alone: in a fluid at rest in the turning frame that of the added mass is balanced by the
+!> lift of the fluid's vorticity (T. R. Auton, J. C. R. Hunt and M. Prud'homme, J. Fluid Mech. 197 (1988) 241).
 module kyvadlo_forces
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite
@@ -25,7 +25,7 @@ module kyvadlo_forces
       real(wp) :: inertia = 1     !! Mass moved over the mass of the bob
       logical :: has_drag = .false., has_turn = .false., has_moving_pivot = .false., is_elastic = .false.
       logical :: needs_pivot_velocity = .false.   !! For drag, Coriolis's acceleration or the work of the pivot
-      real(wp) :: pivot_time = -huge(1.0_wp)      !! When the motion of the pivot was evaluated last [s], and what it was
+      real(wp) :: pivot_time = -huge(1.0_wp)  !! When the motion of the pivot was evaluated last [s], and what it was
       real(wp) :: pivot_velocity(3) = 0, pivot_acceleration(3) = 0
       logical :: has_more = .false.   !! Than weight and rod or string
    end type forces_type
@@ -59,7 +59,8 @@ contains
       call new_suspension(forces%suspension, length, effects%extra_length)
    end subroutine new_forces
 
-   !> Everything that follows from a state. The innermost procedure of an integration: scalars, and every effect in its place.
+   !> Everything that follows from a state. The innermost procedure of an integration: scalars, and every effect in its
+   !> place.
    pure subroutine move(forces, is_taut, time, position, velocity, acceleration, tension, powers)
       type(forces_type), intent(inout) :: forces   !! Only what it remembers of the pivot changes
       logical, intent(in) :: is_taut               !! The rod or string acts; where not, the bob flies
@@ -144,7 +145,8 @@ contains
             acceleration(1) = ax - pull*x
             acceleration(2) = ay - pull*y
             acceleration(3) = az - pull*z
-            if (forces%needs_pivot_velocity) powers(2) = -pull*forces%inertia*dot_product(position, forces%pivot_velocity)
+            if (forces%needs_pivot_velocity) powers(2) = -pull*forces%inertia*dot_product(position, &
+               forces%pivot_velocity)
          end associate
       else
          acceleration = [ax, ay, az]
@@ -162,8 +164,9 @@ contains
       end if
    end subroutine move
 
-   !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less buoyancy;
-   !> of the spring. It changes by the work of drag and pivot, and by what is lost where a string becomes taut [m2/s2].
+   !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less
+   !> buoyancy; of the spring. It changes by the work of drag and pivot, and by what is lost where a string becomes taut
+   !> [m2/s2].
    pure real(wp) function mechanical_energy(effects, length, gravity, time, position, velocity) result(energy)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity          !! [m], [m/s2]
@@ -174,8 +177,8 @@ contains
 
       call pivot_motion(effects, time, displacement, in_laboratory)
       in_laboratory = in_laboratory + velocity
-      energy = effective_inertia(effects%density_ratio, effects%added_mass)*dot_product(in_laboratory, in_laboratory)/2 &
-         + effective_weight(gravity, effects%density_ratio)*(position(3) + displacement(3))
+      energy = effective_inertia(effects%density_ratio, effects%added_mass)*dot_product(in_laboratory, &
+         in_laboratory)/2 + effective_weight(gravity, effects%density_ratio)*(position(3) + displacement(3))
       if (.not. effects%stiffness > 0) return
       call new_suspension(suspension, length, effects%extra_length)
       call stretch(suspension, position, velocity, distance, outward, bending)

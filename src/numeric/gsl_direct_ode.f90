@@ -1,7 +1,7 @@
 !> GSL's integrators of ordinary differential equations for the facade kyvadlo_gsl, straight onto libgsl.
 module kyvadlo_gsl_ode
-   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_long, c_null_funptr, c_null_ptr, c_ptr, &
-      c_size_t, c_associated
+   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_long, c_null_funptr, c_null_ptr, &
+      c_ptr, c_size_t, c_associated
    implicit none
    private
    public :: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free
@@ -127,7 +127,8 @@ module kyvadlo_gsl_ode
          integer(c_size_t), value :: dim
          type(c_ptr) :: s
       end function gsl_step_alloc
-      function gsl_step_apply(s, t, h, y, yerr, dydt_in, dydt_out, sys) bind(c, name='gsl_odeiv2_step_apply') result(status)
+      function gsl_step_apply(s, t, h, y, yerr, dydt_in, dydt_out, sys) bind(c, &
+         name='gsl_odeiv2_step_apply') result(status)
          import :: c_double, c_int, c_ptr, gsl_system_type
          type(c_ptr), value :: s
          real(c_double), value :: t, h
@@ -246,7 +247,8 @@ contains
       s%p = gsl_step_alloc(gsl_step(t%which), dim)
    end function fgsl_odeiv2_step_alloc
 
-   !> One step of length h from t: y moves on, yerr estimates its error, dydt_in and dydt_out are the right sides at both ends.
+   !> One step of length h from t: y moves on, yerr estimates its error, dydt_in and dydt_out are the right sides at
+   !> both ends.
    function fgsl_odeiv2_step_apply(s, t, h, y, yerr, dydt_in, dydt_out, dydt) result(status)
       type(fgsl_odeiv2_step), intent(in) :: s
       real(c_double), intent(in) :: t, h
@@ -271,7 +273,8 @@ contains
       c%p = gsl_control_scaled_new(eps_abs, eps_rel, a_y, a_dydt, scale_abs, size(scale_abs, kind=c_size_t))
    end function fgsl_odeiv2_control_scaled_new
 
-   !> Changes h to what the error of the last step calls for: 1 longer, 0 as it is, -1 shorter, the step is to be repeated.
+   !> Changes h to what the error of the last step calls for: 1 longer, 0 as it is, -1 shorter, the step is to be
+   !> repeated.
    function fgsl_odeiv2_control_hadjust(c, s, y, yerr, dydt, h) result(change)
       type(fgsl_odeiv2_control), intent(in) :: c
       type(fgsl_odeiv2_step), intent(in) :: s

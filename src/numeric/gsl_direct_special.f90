@@ -1,7 +1,7 @@
 !> GSL's special functions for the facade kyvadlo_gsl, straight onto libgsl: elliptic integrals and functions.
 !>
-!> Moduli k, not parameters, and n in 1 + n sin**2: GSL's conventions, which differ from this library's. Outside their domain
-!> they return NaN, provided GSL's error handler is off.
+!> Moduli k, not parameters, and n in 1 + n sin**2: GSL's conventions, which differ from this library's. Outside their
+!> domain they return NaN, provided GSL's error handler is off.
 module kyvadlo_gsl_special
    use, intrinsic :: iso_c_binding, only: c_double, c_int
    implicit none

@@ -9,16 +9,17 @@ module kyvadlo_integration_start
    private
    public :: begin_motion
 
-   !> Numbers of three digits are still taken for a start on the surface, as in kyvadlo_gaps; further off they are a mistake.
+   !> Numbers of three digits are still taken for a start on the surface, as in kyvadlo_gaps; further off they are a
+   !> mistake.
    real(wp), parameter :: most_off = 1e-3_wp
    !> What rounding leaves of a distance, and of a radial speed.
    real(wp), parameter :: rounding = 8*epsilon(1.0_wp)
 
 contains
 
-   !> An elastic rod or string starts anywhere, at any velocity; a string without elasticity anywhere inside its surface, or on it
-   !> if the bob does not move outwards; a rod on its surface. A start next to the surface is put on it, a velocity next to its
-   !> tangent plane into that.
+   !> An elastic rod or string starts anywhere, at any velocity; a string without elasticity anywhere inside its
+   !> surface, or on it if the bob does not move outwards; a rod on its surface. A start next to the surface is put on
+   !> it, a velocity next to its tangent plane into that.
    subroutine begin_motion(forces, position, velocity, is_taut, slack, error)
       type(forces_type), intent(inout) :: forces
       real(wp), intent(inout) :: position(3), velocity(3)  !! Relative to the pivot [m], [m/s]
@@ -46,11 +47,12 @@ contains
                distance = radius
             end if
          else if (forces%is_elastic) then
-            if (.not. distance > 0) call fail(error, code_domain, 'the start must not be at the pivot, where an elastic rod has ' &
-               //'no direction')
+            if (.not. distance > 0) call fail(error, code_domain, &
+               'the start must not be at the pivot, where an elastic rod has no direction')
          else if (.not. abs(distance - radius) <= most_off*radius) then
-            call fail(error, code_domain, 'the position must lie on the surface on which the bob moves, to a thousandth of its ' &
-               //'radius, got the distance '//trim(short(distance))//' m and the radius '//trim(short(radius))//' m')
+            call fail(error, code_domain, &
+               'the position must lie on the surface on which the bob moves, to a thousandth of its '// &
+               'radius, got the distance '//trim(short(distance))//' m and the radius '//trim(short(radius))//' m')
          else if (.not. abs(radial) <= most_off*speed) then
             call fail(error, code_domain, 'the radial speed must be at most a thousandth of the speed, got ' &
                //trim(short(radial))//' m/s of '//trim(short(speed))//' m/s')

@@ -4,9 +4,9 @@
 !>    call advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)   ! block by block
 !>    call finish(run)
 !>
-!> The integrator takes the steps that the tolerance asks for, however many times are asked for: where there are several in a
-!> step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies the
-!> equations of motion within the tolerance, and else from a step of their own.
+!> The integrator takes the steps that the tolerance asks for, however many times are asked for: where there are several
+!> in a step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies
+!> the equations of motion within the tolerance, and else from a step of their own.
 module kyvadlo_integrator
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
@@ -17,8 +17,8 @@ module kyvadlo_integrator
    use kyvadlo_pivot, only: next_knot
    use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_suspension, only: put_on_surface
-   use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, defect_to_velocity, &
-      interpolate, nodes, prepare
+   use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, &
+      defect_to_velocity, interpolate, nodes, prepare
    use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
    use kyvadlo_string, only: event_slack, string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
@@ -40,7 +40,8 @@ module kyvadlo_integrator
       type(string_event_type), allocatable :: events(:) !! Of a string, as they come; the first `event_count` count
       integer :: event_count = 0                       !! Places are relative to the pivot
       integer(int64) :: steps = 0, rejected = 0        !! Steps taken, and steps repeated
-      integer(int64) :: interpolated = 0, stepped = 0  !! Samples between steps, by polynomial and by a step of their own
+      !> Samples between steps, by polynomial and by a step of their own
+      integer(int64) :: interpolated = 0, stepped = 0
       integer :: failure = 0                           !! One of the `failure_*` constants after an error of `advance`
       real(wp) :: time = 0                             !! How far the integration got [s]
       real(wp) :: most_steps = huge(1.0_wp)            !! Taken and repeated; more fail
@@ -55,18 +56,19 @@ module kyvadlo_integrator
       logical, private :: is_at_knot = .false.         !! ... or at a knot of the table
       integer, private :: between = unknown            !! How samples in the last step are found
       logical, private :: with_azimuth = .false.
-      real(wp) :: azimuth = 0, azimuth_before = 0      !! At both ends of the last step, turns counted; NaN while the bob has not
-      !! left the axis [rad]
+      !> At both ends of the last step, turns counted; NaN while the bob has not left the axis [rad]
+      real(wp) :: azimuth = 0, azimuth_before = 0
       real(wp) :: first_azimuth = 0                    !! The first one known; NaN as long as there is none [rad]
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
    integer, parameter :: most_events = 100000
-   !> Part of sqrt(length/gravity) for the first step; the steps grow by up to 5, so that four of them find their length.
+   !> Part of sqrt(length/gravity) for the first step; the steps grow by up to 5, so that four of them find their
+   !> length.
    real(wp), parameter :: first_step = 1e-3_wp
    !> Abscissas and weights of Gauss's rule with five points on [-1, 1] (DLMF 3.5.v).
-   real(wp), parameter :: gauss_abscissas(5) = [-0.906179845938663992797627_wp, -0.538469310105683091036314_wp, 0.0_wp, &
-      0.538469310105683091036314_wp, 0.906179845938663992797627_wp]
+   real(wp), parameter :: gauss_abscissas(5) = [-0.906179845938663992797627_wp, -0.538469310105683091036314_wp, &
+      0.0_wp, 0.538469310105683091036314_wp, 0.906179845938663992797627_wp]
    real(wp), parameter :: gauss_weights(5) = [0.236926885056189087514264_wp, 0.478628670499366468041292_wp, &
       0.568888888888888888888889_wp, 0.478628670499366468041292_wp, 0.236926885056189087514264_wp]
 
@@ -77,10 +79,10 @@ contains
    !>
    !> Where it may start says `begin_motion`; a string that is slack at the start has its first event there.
    !>
-   !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of a bob at
-   !> rest there that nothing moves yet.
-   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, with_azimuth, &
-         azimuth, most_steps)
+   !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of
+   !> a bob at rest there that nothing moves yet.
+   subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, &
+      with_azimuth, azimuth, most_steps)
       type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
@@ -88,7 +90,7 @@ contains
       real(wp), intent(in) :: tolerance                 !! 1e-15 to 0.1
       type(error_type), allocatable, intent(out) :: error
       logical, intent(in), optional :: with_work        !! .false.: works are not wanted, and zero (default .true.)
-      logical, intent(in), optional :: with_azimuth     !! Turns are counted, for `azimuths` of `advance` (default .false.)
+      logical, intent(in), optional :: with_azimuth  !! Turns are counted, for `azimuths` of `advance` (default .false.)
       real(wp), intent(in), optional :: azimuth         !! Of the direction in which it will leave the axis [rad]
       real(wp), intent(in), optional :: most_steps      !! More steps, taken and repeated, fail
       type(forces_type) :: forces
@@ -101,7 +103,8 @@ contains
       p = position
       v = velocity
       if (.not. (tolerance >= 1e-15_wp .and. tolerance <= 0.1_wp)) then
-         call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1, got'//listed([tolerance]))
+         call fail(error, code_domain, 'integrate: the tolerance must lie between 1e-15 and 0.1, got'// &
+            listed([tolerance]))
       else if (allocated(effects%pivot_times)) then
          if (effects%pivot_times(1) > 0) &
             call fail(error, code_domain, 'integrate: the table of the pivot must begin at time 0 or before')
@@ -120,8 +123,8 @@ contains
       if (present(most_steps)) run%most_steps = most_steps
       run%tolerance = tolerance
       run%unit_length = length
-      run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) + merge(dot_product(effects%wind, effects%wind), &
-         0.0_wp, forces%has_drag) + pivot_speed(effects)**2)
+      run%unit_speed = sqrt(gravity*length + dot_product(velocity, velocity) &
+         + merge(dot_product(effects%wind, effects%wind), 0.0_wp, forces%has_drag) + pivot_speed(effects)**2)
       ! Under the gravity of the closed form.
       run%contact%unit_speed = sqrt(forces%weight/forces%inertia*length)
       call begin_azimuth(run, forces, is_taut, p, v, azimuth)
@@ -173,7 +176,7 @@ contains
       type(integration_type), intent(inout) :: run
       real(wp), intent(in) :: times(:)                           !! (n) from 0 on [s]
       real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n) relative to the pivot [m], [m/s]
-      real(wp), intent(out) :: tensions(:)                       !! (n) force of rod or string over the bob's mass [m/s2]
+      real(wp), intent(out) :: tensions(:)  !! (n) force of rod or string over the bob's mass [m/s2]
       real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n) on the bob since time 0, per mass [m2/s2]
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(out), optional :: azimuths(:)             !! (n) turns counted from step to step [rad]
@@ -216,7 +219,8 @@ contains
       else if (.not. (time >= run%last_time .and. is_finite(time))) then
          call fail(error, code_domain, 'integrate: the times must ascend from 0, got'//listed([run%last_time, time]))
       else if (time > run%ends) then
-         call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'//listed([run%ends]))
+         call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'// &
+            listed([run%ends]))
       end if
       if (allocated(error)) run%failure = failure_request
    end subroutine check_time
@@ -231,7 +235,8 @@ contains
          call fail(error, code_unsupported, 'integrate: no step is short enough at the time'//listed([run%time])// &
             '; a larger tolerance may help, or the motion is singular there')
       case (failure_events)
-         call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'//listed([run%time]))
+         call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'// &
+            listed([run%time]))
       case (failure_steps)
          call fail(error, code_unsupported, 'integrate: the steps came to an end at the time'//listed([run%time]))
       end select
@@ -252,8 +257,8 @@ contains
       run%event_count = 0
    end subroutine forget
 
-   !> One step. It ends at the time asked for if that is the only one in it; if the next may be expected in it too it goes
-   !> its own way, so that where the samples lie has no part in the steps.
+   !> One step. It ends at the time asked for if that is the only one in it; if the next may be expected in it too it
+   !> goes its own way, so that where the samples lie has no part in the steps.
    subroutine next_step(run, target, gap)
       type(integration_type), intent(inout) :: run
       real(wp), intent(in) :: target, gap
@@ -359,7 +364,8 @@ contains
       end associate
    end subroutine sample
 
-   !> Whether the polynomial serves the last step: whether it satisfies the equations of motion where it should be worst.
+   !> Whether the polynomial serves the last step: whether it satisfies the equations of motion where it should be
+   !> worst.
    subroutine choose_between(run)
       type(integration_type), intent(inout) :: run
       real(wp) :: y(6), bend(3), acceleration(3), tension, powers(2), time, defect, allowed
@@ -449,8 +455,8 @@ contains
    end function listed
 
    !> The whole motion in one call: new_integration, advance, finish.
-   subroutine integrate(effects, length, gravity, start_position, start_velocity, times, tolerance, positions, velocities, &
-         tensions, drag_work, pivot_work, error)
+   subroutine integrate(effects, length, gravity, start_position, start_velocity, times, tolerance, positions, &
+      velocities, tensions, drag_work, pivot_work, error)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity                    !! [m], [m/s2]
       real(wp), intent(in) :: start_position(3), start_velocity(3) !! Relative to the pivot [m], [m/s]

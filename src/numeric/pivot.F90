@@ -8,8 +8,8 @@ module kyvadlo_pivot
 
 contains
 
-   !> Displacement of the pivot from the origin of the laboratory, and its first two derivatives. Beyond a table's ends the
-   !> outermost cubic is continued; `advance` does not let a run get there.
+   !> Displacement of the pivot from the origin of the laboratory, and its first two derivatives. Beyond a table's ends
+   !> the outermost cubic is continued; `advance` does not let a run get there.
    pure subroutine pivot_motion(effects, time, displacement, velocity, acceleration)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: time                          !! [s]

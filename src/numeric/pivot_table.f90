@@ -5,8 +5,8 @@ module kyvadlo_pivot_table
    use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type
-   use kyvadlo_gsl, only: fgsl_spline, fgsl_spline_alloc, fgsl_spline_free, fgsl_spline_init, fgsl_spline_eval_deriv2_e, &
-      fgsl_interp_accel, fgsl_interp_accel_alloc, fgsl_interp_accel_free, fgsl_interp_cspline
+   use kyvadlo_gsl, only: fgsl_spline, fgsl_spline_alloc, fgsl_spline_free, fgsl_spline_init, &
+      fgsl_spline_eval_deriv2_e, fgsl_interp_accel, fgsl_interp_accel_alloc, fgsl_interp_accel_free, fgsl_interp_cspline
    implicit none
    private
    public :: new_pivot_table
@@ -14,7 +14,8 @@ module kyvadlo_pivot_table
 contains
 
    !> Gives effects the motion of the pivot along a natural cubic spline: through all points, twice continuously
-   !> differentiable, without acceleration at its ends. Fails on fewer than three points and on times that do not ascend.
+   !> differentiable, without acceleration at its ends. Fails on fewer than three points and on times that do not
+   !> ascend.
    subroutine new_pivot_table(effects, times, displacements, error)
       type(effects_type), intent(inout) :: effects
       real(wp), intent(in) :: times(:)             !! (n), strictly ascending [s]
@@ -51,7 +52,8 @@ contains
       do axis = 1, 3
          status = fgsl_spline_init(spline, times, effects%pivot_displacements(axis, :))
          do k = 1, n
-            if (status == 0) status = fgsl_spline_eval_deriv2_e(spline, times(k), accel, effects%pivot_curvatures(axis, k))
+            if (status == 0) status = fgsl_spline_eval_deriv2_e(spline, times(k), accel, &
+               effects%pivot_curvatures(axis, k))
          end do
          if (status /= 0) call fail(error, code_unsupported, 'pivot table: GSL could not lay the spline')
          if (status /= 0) exit

@@ -12,8 +12,9 @@ module kyvadlo_step_forecast
    !> What asks for the most steps.
    integer, parameter :: cause_gravity = 1, cause_start = 2, cause_drag = 3, cause_wind = 4, cause_turning = 5, &
       cause_pivot = 6, cause_stiffness = 7
-   !> Steps to the radian at a tolerance of 1e-12: 5 to 8 were counted. A step of order 8 grows with the ninth root of the
-   !> tolerance. Where the drag is stiff, a step is what stays stable, whatever the tolerance: 0.25 were counted in its time.
+   !> Steps to the radian at a tolerance of 1e-12: 5 to 8 were counted. A step of order 8 grows with the ninth root of
+   !> the tolerance. Where the drag is stiff, a step is what stays stable, whatever the tolerance: 0.25 were counted in
+   !> its time.
    real(wp), parameter :: steps_per_radian = 5, measured_tolerance = 1e-12_wp, steps_per_decay = 0.25_wp
    real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
 
@@ -45,8 +46,8 @@ contains
          decay = (effects%linear_drag + effects%quadratic_drag*through)/inertia
          rates(cause_wind) = max(decay*steps_per_decay/steps_per_radian, sqrt(decay*through/length))
          ! Through still air, soon no faster than a fall in it.
-         decay = effects%linear_drag/inertia + min(effects%quadratic_drag/inertia*max(speed, sqrt(2*fall)*sqrt(length)), &
-            sqrt(effects%quadratic_drag/inertia*fall))
+         decay = effects%linear_drag/inertia + min(effects%quadratic_drag/inertia*max(speed, &
+            sqrt(2*fall)*sqrt(length)), sqrt(effects%quadratic_drag/inertia*fall))
          rates(cause_drag) = decay*steps_per_decay/steps_per_radian
       end if
       rates(:cause_start) = rates(:cause_start)*(measured_tolerance/tolerance)**(1.0_wp/9)

@@ -1,8 +1,8 @@
-!> Steps of Newton's equations in Cartesian coordinates by GSL's Runge-Kutta-Prince-Dormand method of order 8, their length
-!> chosen by GSL from the error of each.
+!> Steps of Newton's equations in Cartesian coordinates by GSL's Runge-Kutta-Prince-Dormand method of order 8, their
+!> length chosen by GSL from the error of each.
 !>
-!> The force of rod or string follows from the surface it keeps the bob on, so no coordinate is singular at the lowest and
-!> highest points. What a step lets slip off the surface, a part of its error, is put back at its end.
+!> The force of rod or string follows from the surface it keeps the bob on, so no coordinate is singular at the lowest
+!> and highest points. What a step lets slip off the surface, a part of its error, is put back at its end.
 module kyvadlo_stepper
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
@@ -10,16 +10,17 @@ module kyvadlo_stepper
    use kyvadlo_forces, only: forces_type, move
    use kyvadlo_suspension, only: put_on_surface
    use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
-      fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, fgsl_odeiv2_control, &
-      fgsl_odeiv2_control_scaled_new, fgsl_odeiv2_control_hadjust, fgsl_odeiv2_control_free
+      fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, &
+      fgsl_odeiv2_control, fgsl_odeiv2_control_scaled_new, fgsl_odeiv2_control_hadjust, fgsl_odeiv2_control_free
    implicit none
    private
    public :: stepper_type, problem_type, new_stepper, free_stepper, take_step, trial_step, restart, unknowns
 
    !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
    integer, parameter :: unknowns = 8
-   !> A step shorter than this part of the time scale fails: the motion is singular, or so stiff that a second of it would take
-   !> minutes. A spring that calls for such steps would have 1e16 times the stiffness that the weight stretches by the length.
+   !> A step shorter than this part of the time scale fails: the motion is singular, or so stiff that a second of it
+   !> would take minutes. A spring that calls for such steps would have 1e16 times the stiffness that the weight
+   !> stretches by the length.
    real(wp), parameter :: shortest = 1e-8_wp
 
    !> What the right side needs. Where GSL calls it, its address must stay.
@@ -79,7 +80,8 @@ contains
             problem%unknowns = problem%unknowns + 1
             problem%pivot_work = problem%unknowns
          end if
-         problem%forces%needs_pivot_velocity = forces%has_moving_pivot .and. (with_work .or. forces%has_drag .or. forces%has_turn)
+         problem%forces%needs_pivot_velocity = forces%has_moving_pivot .and. &
+            (with_work .or. forces%has_drag .or. forces%has_turn)
          scale = [scales(1), scales(1), scales(1), scales(2), scales(2), scales(2), scales(3), scales(3)]
          stepper%system = fgsl_odeiv2_system_init(right_side, int(problem%unknowns, c_size_t), c_loc(stepper%problem))
          stepper%step = fgsl_odeiv2_step_alloc(fgsl_odeiv2_step_rk8pd, int(problem%unknowns, c_size_t))
@@ -134,8 +136,8 @@ contains
          ! Exact: times add up without error.
          h = ends - stepper%time
          y = stepper%y
-         status = fgsl_odeiv2_step_apply(stepper%step, stepper%time, h, y(:n), errors(:n), stepper%rates(:n), rates(:n), &
-            stepper%system)
+         status = fgsl_odeiv2_step_apply(stepper%step, stepper%time, h, y(:n), errors(:n), stepper%rates(:n), &
+            rates(:n), stepper%system)
          wanted = h
          ! An error that is a number says that the state is one.
          if (status == 0 .and. sum(abs(errors(:n))) <= huge(h)) then
@@ -169,8 +171,8 @@ contains
       n = stepper%problem%unknowns
       y = stepper%start_y
       rates = 0
-      status = fgsl_odeiv2_step_apply(stepper%step, stepper%start, h, y(:n), errors(:n), stepper%start_rates(:n), rates(:n), &
-         stepper%system)
+      status = fgsl_odeiv2_step_apply(stepper%step, stepper%start, h, y(:n), errors(:n), stepper%start_rates(:n), &
+         rates(:n), stepper%system)
       tension = stepper%problem%tension
       call put_back(stepper%problem, y)
    end subroutine trial_step

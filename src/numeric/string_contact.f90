@@ -1,9 +1,10 @@
 !> Where a string goes slack and becomes taut again in an integrated motion, and what the bob does there.
 !>
-!> A taut string whose tension vanishes lets the bob fly; a flight ends where the bob is a length away again. Either is found in
-!> a step where the margin (tension, or distance left to the surface) is negative at its end or at points between, and then
-!> located by steps of the integrator itself to the last digits. A string without elasticity takes the radial velocity, or
-!> gives it back reversed and times the coefficient of restitution; rebounds end by the rule of module kyvadlo_string.
+!> A taut string whose tension vanishes lets the bob fly; a flight ends where the bob is a length away again. Either is
+!> found in a step where the margin (tension, or distance left to the surface) is negative at its end or at points
+!> between, and then located by steps of the integrator itself to the last digits. A string without elasticity takes the
+!> radial velocity, or gives it back reversed and times the coefficient of restitution; rebounds end by the rule of
+!> module kyvadlo_string.
 module kyvadlo_string_contact
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_forces, only: move
@@ -15,8 +16,8 @@ module kyvadlo_string_contact
    private
    public :: contact_type, find_contact, make_contact
 
-   !> Rebounds end, as if inelastic, when the radial speed is below this part of the scale of speeds: the bob then would come
-   !> off by less than its square, an epsilon of the length. The rule of kyvadlo_string.
+   !> Rebounds end, as if inelastic, when the radial speed is below this part of the scale of speeds: the bob then would
+   !> come off by less than its square, an epsilon of the length. The rule of kyvadlo_string.
    real(wp), parameter :: rattling = sqrt(epsilon(1.0_wp))
    !> Halvings that take a step below what its length resolves.
    integer, parameter :: most_halvings = digits(1.0_wp)
@@ -99,15 +100,16 @@ contains
       high = h*(i + x)/parts
    end subroutine bracket
 
-   !> How deep the margin may dip between the ends of a step, if it changes like the motion: second derivative times h**2/2,
-   !> four times what a parabola could.
+   !> How deep the margin may dip between the ends of a step, if it changes like the motion: second derivative times
+   !> h**2/2, four times what a parabola could.
    pure real(wp) function dip(stepper, h)
       type(stepper_type), intent(in) :: stepper
       real(wp), intent(in) :: h
       real(wp) :: scale
 
       associate (problem => stepper%problem, forces => stepper%problem%forces)
-         scale = norm2(stepper%rates(4:6)) + forces%weight + dot_product(stepper%y(4:6), stepper%y(4:6))/forces%suspension%radius
+         scale = norm2(stepper%rates(4:6)) + forces%weight + dot_product(stepper%y(4:6), &
+            stepper%y(4:6))/forces%suspension%radius
          if (.not. problem%is_taut) then
             dip = scale*forces%suspension%radius*h**2/2
          else if (forces%is_elastic) then
@@ -118,7 +120,8 @@ contains
       end associate
    end function dip
 
-   !> Tension, or how far the square of the distance is from that of the surface, halved: negative where the kind of motion ends.
+   !> Tension, or how far the square of the distance is from that of the surface, halved: negative where the kind of
+   !> motion ends.
    pure real(wp) function margin(problem, y, tension)
       type(problem_type), intent(in) :: problem
       real(wp), intent(in) :: y(:), tension
@@ -199,7 +202,8 @@ contains
          root = (low*at_high - high*at_low)/(at_high - at_low)
          if (.not. (root > low .and. root < high)) root = (low + high)/2
          value = margin_after(stepper, root)
-         if (abs(value) <= 0 .or. abs(root - before) <= 2*epsilon(root)*root .or. high - low <= 2*epsilon(root)*high) return
+         if (abs(value) <= 0 .or. abs(root - before) <= 2*epsilon(root)*root .or. high &
+            - low <= 2*epsilon(root)*high) return
          if (value < 0) then
             high = root
             at_high = value
@@ -256,7 +260,8 @@ contains
          end if
          call restart(stepper)
          ! Without radial velocity the bob may still be too slow for its height: then it falls at once.
-         if (problem%is_taut .and. stepper%tension < 0 .and. .not. contact%is_touching .and. .not. problem%forces%is_elastic) then
+         if (problem%is_taut .and. stepper%tension < 0 .and. .not. contact%is_touching .and. &
+            .not. problem%forces%is_elastic) then
             call let_go(problem, p)
             call restart(stepper)
          end if

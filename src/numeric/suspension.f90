@@ -1,11 +1,11 @@
 !> The surface on which a taut pendulum moves: a sphere, or the torus of two hinges, one for each direction of swing.
 !>
-!> Swinging along x the pendulum is longer by extra_length(1), along y by extra_length(2), and hangs a length below the origin
-!> either way. The hinge of the longer direction, say x, is extra_length(1) above the origin with its axis along y; the rod below it
-!> carries the other hinge, extra_length(2) above the origin at rest. With d = extra_length(1) - extra_length(2) >= 0 and
-!> rho = sqrt(x**2 + (z - extra_length(1))**2) the bob is sqrt((rho - d)**2 + y**2) = l + extra_length(2) away from the
-!> lower hinge; a sphere about the origin when both are zero. The surface is smooth but where the bob meets the axis of the
-!> upper hinge, rho = 0.
+!> Swinging along x the pendulum is longer by extra_length(1), along y by extra_length(2), and hangs a length below the
+!> origin either way. The hinge of the longer direction, say x, is extra_length(1) above the origin with its axis along
+!> y; the rod below it carries the other hinge, extra_length(2) above the origin at rest. With d = extra_length(1) -
+!> extra_length(2) >= 0 and rho = sqrt(x**2 + (z - extra_length(1))**2) the bob is sqrt((rho - d)**2 + y**2) = l +
+!> extra_length(2) away from the lower hinge; a sphere about the origin when both are zero. The surface is smooth but
+!> where the bob meets the axis of the upper hinge, rho = 0.
 module kyvadlo_suspension
    use kyvadlo_kinds, only: wp => real64
    implicit none
@@ -101,8 +101,8 @@ contains
       end associate
    end subroutine put_on_surface
 
-   !> (s**2 - radius**2)/2 at `start` + `way`, where `start` lies on the surface: positive beyond it. Without cancellation for a
-   !> short way, as what `start` itself contributes is zero and left out.
+   !> (s**2 - radius**2)/2 at `start` + `way`, where `start` lies on the surface: positive beyond it. Without
+   !> cancellation for a short way, as what `start` itself contributes is zero and left out.
    pure real(wp) function surface_excess(suspension, start, way) result(excess)
       type(suspension_type), intent(in) :: suspension
       real(wp), intent(in) :: start(3), way(3)

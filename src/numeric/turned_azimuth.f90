@@ -11,9 +11,9 @@ module kyvadlo_turned_azimuth
 
 contains
 
-   !> The azimuth of a position that is nearest to the one before; on the axis that of the direction in which the bob moves. A
-   !> half turn, through the axis, counts upwards, as in the closed form of the plane swing. A bob at rest on the axis keeps the
-   !> azimuth it had; where none is known yet (NaN) the first is the angle between -pi and pi.
+   !> The azimuth of a position that is nearest to the one before; on the axis that of the direction in which the bob
+   !> moves. A half turn, through the axis, counts upwards, as in the closed form of the plane swing. A bob at rest on
+   !> the axis keeps the azimuth it had; where none is known yet (NaN) the first is the angle between -pi and pi.
    elemental real(wp) function turned_azimuth(x, y, vx, vy, before) result(azimuth)
       real(wp), intent(in) :: x, y      !! Of the position [m]
       real(wp), intent(in) :: vx, vy    !! Of the velocity [m/s]

@@ -25,7 +25,8 @@ contains
       velocity(:2) = [c*velocity(1) + s*velocity(2), c*velocity(2) - s*velocity(1)]
    end subroutine seen_from_turning_frame
 
-   !> rate*time less whole turns, the product in two parts: rounded to one it would be off by an angle that grows with it [rad].
+   !> rate*time less whole turns, the product in two parts: rounded to one it would be off by an angle that grows with
+   !> it [rad].
    elemental real(wp) function frame_angle(rate, time) result(angle)
       real(wp), intent(in) :: rate, time        !! [rad/s], [s]
       type(pair_type) :: whole

@@ -168,6 +168,10 @@ expect_status 0
 expect_match '^  cone .*closed_form'
 checks=$((checks + 1))
 grep -q "not asked for turning heights of 'cone'" err || complain 'a question that is left out must be named'
+# Its references are those of real128: that is not told as an error of nothing.
+expect_match '^  1e-20 *is the reference '
+checks=$((checks + 1))
+! grep -q ' 0.0E+00 ' out || complain 'no error of nothing expected'
 
 # Two scenes may name their pendulums alike. Without gnuplot there are no pictures, and one line says so.
 printf '&pendulum length = 1, z_upper = 0.3, z_lower = -0.8 /\n' >unnamed.nml
