@@ -2,7 +2,9 @@
 module kyvadlo_bulirsch_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_carlson_rc_real64, only: carlson_rc
+   use kyvadlo_carlson_rd_real64, only: carlson_rd
+   use kyvadlo_carlson_rf_real64, only: carlson_rf
    use kyvadlo_cel_positive, only: cel_positive
    use kyvadlo_incomplete_pi_real64, only: first_turn
 #include "bulirsch.inc"
@@ -11,7 +13,9 @@ end module kyvadlo_bulirsch_real32
 module kyvadlo_bulirsch_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_carlson_rc_real64, only: carlson_rc
+   use kyvadlo_carlson_rd_real64, only: carlson_rd
+   use kyvadlo_carlson_rf_real64, only: carlson_rf
    use kyvadlo_cel_positive, only: cel_positive
    use kyvadlo_incomplete_pi_real64, only: first_turn
 #include "bulirsch.inc"
@@ -21,7 +25,9 @@ end module kyvadlo_bulirsch_real64
 module kyvadlo_bulirsch_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-   use kyvadlo_carlson, only: carlson_rc, carlson_rd, carlson_rf
+   use kyvadlo_carlson_rc_real128, only: carlson_rc
+   use kyvadlo_carlson_rd_real128, only: carlson_rd
+   use kyvadlo_carlson_rf_real128, only: carlson_rf
    use kyvadlo_cel_positive, only: cel_positive
    use kyvadlo_incomplete_pi_real128, only: first_turn
 #include "bulirsch.inc"

@@ -3,7 +3,8 @@ module kyvadlo_incomplete_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
-   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_carlson_rd_real64, only: carlson_rd
+   use kyvadlo_carlson_rf_real64, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "incomplete.inc"
@@ -13,7 +14,8 @@ module kyvadlo_incomplete_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, inner => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
-   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_carlson_rd_real64, only: carlson_rd
+   use kyvadlo_carlson_rf_real64, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "incomplete.inc"
@@ -24,7 +26,8 @@ module kyvadlo_incomplete_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, inner => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
    use kyvadlo_amplitude, only: delta_squared, reduce_amplitude
-   use kyvadlo_carlson, only: carlson_rf, carlson_rd
+   use kyvadlo_carlson_rd_real128, only: carlson_rd
+   use kyvadlo_carlson_rf_real128, only: carlson_rf
    use kyvadlo_complete, only: elliptic_kc, elliptic_ec, elliptic_dc, elliptic_bc
    use kyvadlo_zeta_ratio, only: zeta_ratio
 #include "incomplete.inc"

@@ -1,8 +1,9 @@
 !> The position question put to the closed form with a stated accuracy: is it kept, and what does it save?
 module kyvadlo_study_accuracy
    use, intrinsic :: iso_fortran_env, only: real64, real128
-   use kyvadlo, only: accurate_orbit_type, error_type => kyvadlo_error_type, accuracy_finest_double, &
-      new_orbit_to_accuracy, start_gaps, start_rises
+   use kyvadlo_accuracy, only: accuracy_finest_double, accurate_orbit_type, new_orbit_to_accuracy
+   use kyvadlo_start_kinds, only: start_gaps, start_rises
+   use kyvadlo_status, only: error_type
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest
    use kyvadlo_study_record, only: study_type

@@ -2,7 +2,13 @@
 !> integrals of the third kind; the textbook's small oscillations.
 module kyvadlo_study_by_point
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
-   use kyvadlo, error_type => kyvadlo_error_type
+   use kyvadlo_carlson_rf_real64, only: carlson_rf
+   use kyvadlo_carlson_rj_real64, only: carlson_rj
+   use kyvadlo_complete_pi_real64, only: elliptic_pic
+   use kyvadlo_incomplete_pi_real64, only: elliptic_piincc
+   use kyvadlo_jacobi_real64, only: jacobi_evaluate, jacobi_functionsc, jacobi_type, new_jacobic
+   use kyvadlo_orbit_real64, only: orbit_type
+   use kyvadlo_status, only: error_type
    use kyvadlo_pairs, only: pair, value, operator(*), operator(-)
    use kyvadlo_study_orbits, only: study_orbit_type, n_times
    use kyvadlo_study_places, only: places_type, ask, farthest

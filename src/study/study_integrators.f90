@@ -3,7 +3,8 @@ module kyvadlo_study_integrators
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_double, c_loc
    use, intrinsic :: iso_fortran_env, only: real64, real128
-   use kyvadlo, only: error_type => kyvadlo_error_type, orbit_type
+   use kyvadlo_orbit_real64, only: orbit_type
+   use kyvadlo_status, only: error_type
    use kyvadlo_gsl
    use kyvadlo_study_orbits, only: study_orbit_type, n_times, one_period
    use kyvadlo_study_places, only: places_type, ask, farthest, span_questions

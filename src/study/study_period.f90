@@ -2,7 +2,11 @@
 module kyvadlo_study_period
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128, real32
-   use kyvadlo, error_type => kyvadlo_error_type
+   use kyvadlo_accuracy, only: accurate_orbit_type
+   use kyvadlo_motion_kinds, only: motion_plane_libration
+   use kyvadlo_orbit, only: orbit_type, orbit_type_real32, orbit_type_real128
+   use kyvadlo_periods, only: orbit_period_from_gaps, orbits_period_from_gaps
+   use kyvadlo_status, only: error_type
    use kyvadlo_study_accuracy, only: accuracies, accuracy_names, set_up_to_accuracy
    use kyvadlo_study_period_gsl, only: free_table, gauss_period, gsl_k_period, gsl_table_type, has_gsl, new_table, &
       qag_period

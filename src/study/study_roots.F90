@@ -2,7 +2,8 @@
 module kyvadlo_study_roots
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo, only: error_type => kyvadlo_error_type, orbit_type_real128
+   use kyvadlo_orbit, only: orbit_type_real128
+   use kyvadlo_status, only: error_type
    use kyvadlo_study_orbits, only: study_orbit_type
    use kyvadlo_study_record, only: add_cell, cell_type, failed, measure, measured, study_type, work_type
    use kyvadlo_study_roots_ours, only: roots_by_cubic, roots_by_energy

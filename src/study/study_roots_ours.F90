@@ -1,20 +1,23 @@
 !> Turning heights and gaps by this library, in three kinds, for `kyvadlo study`.
 module kyvadlo_study_roots_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
-   use kyvadlo, only: orbit_type => orbit_type_real32
+   use kyvadlo_cubic_real32, only: cubic_roots
+   use kyvadlo_orbit_real32, only: new_orbit_from_energy, orbit_type
 #include "study_roots_ours.inc"
 end module kyvadlo_study_roots_real32
 
 module kyvadlo_study_roots_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
-   use kyvadlo, only: orbit_type
+   use kyvadlo_cubic_real64, only: cubic_roots
+   use kyvadlo_orbit_real64, only: new_orbit_from_energy, orbit_type
 #include "study_roots_ours.inc"
 end module kyvadlo_study_roots_real64
 
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_study_roots_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
-   use kyvadlo, only: orbit_type => orbit_type_real128
+   use kyvadlo_cubic_real128, only: cubic_roots
+   use kyvadlo_orbit_real128, only: new_orbit_from_energy, orbit_type
 #include "study_roots_ours.inc"
 end module kyvadlo_study_roots_real128
 #endif

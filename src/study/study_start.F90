@@ -15,20 +15,20 @@ end module kyvadlo_study_start
 
 module kyvadlo_study_start_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32
-   use kyvadlo, only: orbit_type => orbit_type_real32
+   use kyvadlo_orbit_real32, only: new_orbit_from_gaps, new_orbit_from_rises, orbit_type
 #include "study_start.inc"
 end module kyvadlo_study_start_real32
 
 module kyvadlo_study_start_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
-   use kyvadlo, only: orbit_type
+   use kyvadlo_orbit_real64, only: new_orbit_from_gaps, new_orbit_from_rises, orbit_type
 #include "study_start.inc"
 end module kyvadlo_study_start_real64
 
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_study_start_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128
-   use kyvadlo, only: orbit_type => orbit_type_real128
+   use kyvadlo_orbit_real128, only: new_orbit_from_gaps, new_orbit_from_rises, orbit_type
 #include "study_start.inc"
 end module kyvadlo_study_start_real128
 #endif
