@@ -1,5 +1,5 @@
-!> Samples of one orbit in quadruple precision: for an accuracy that double precision does not keep, and for times at which it cannot tell
-!> the phase.
+!> Samples of one orbit in quadruple precision: for an accuracy that double precision does not keep, and for times at
+!> which it cannot tell the phase.
 module kyvadlo_wide_samples
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_sample_block, only: block_type
@@ -37,7 +37,7 @@ contains
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
-      character(len=longest_cell), intent(inout) :: cells(:, :) !! (sample, column), of `block%visible` columns; no columns: no text
+      character(len=longest_cell), intent(inout) :: cells(:, :) !! (sample, visible column); no columns: no text
 #ifndef KYVADLO_NO_REAL128
       real(qp) :: wide(block%count, size(block%values, 2))
       integer :: i, j
@@ -52,8 +52,12 @@ contains
             if (.not. is_nan(wide(i, j))) cells(i, j) = padded_digits(wide(i, j), path%figures)
          end do
       end do
+#else
+      cells = ''
+#endif
    end subroutine fill_wide
 
+#ifndef KYVADLO_NO_REAL128
    !> Constants of the motion as the paths of double precision have them, in this kind.
    subroutine fill(simulation, path, block, wide)
       type(simulation_type), intent(in) :: simulation
@@ -71,7 +75,8 @@ contains
          t => real(block%values(:block%count, 1), qp))
          inertia = 1 + real(settings%added_mass, qp)*settings%density_ratio
          weight = real(path%gravity, qp)*(1 - real(settings%density_ratio, qp))
-         if (column(quantity_energy) > 0) wide(:, column(quantity_energy)) = inertia*orbit%energy() + weight*displacement(3)
+         if (column(quantity_energy) > 0) wide(:, column(quantity_energy)) = inertia*orbit%energy() &
+            + weight*displacement(3)
          if (column(quantity_momentum) > 0) wide(:, column(quantity_momentum)) = orbit%momentum()
          if (column(quantity_tension) > 0) wide(:, column(quantity_tension)) = inertia*orbit%rod_force(t)
          if (column(quantity_inclination) > 0) wide(:, column(quantity_inclination)) = atan2(hypot(x, y), -z)
@@ -121,9 +126,6 @@ contains
       vx = real(moving, qp)
       vy = aimag(moving)
    end subroutine turn
-#else
-      cells = ''
-   end subroutine fill_wide
 #endif
 
 end module kyvadlo_wide_samples
