@@ -1,8 +1,8 @@
 !> The motion under effects that have no closed form, at any number of ascending times in bounded memory.
 !>
 !>    call new_integration(run, effects, length, gravity, position, velocity, tolerance, error)
-!>    call advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)   ! block by block
-!>    call finish(run)
+!>    call run%advance(times, positions, velocities, tensions, drag_work, pivot_work, error)   ! block by block
+!>    call run%finish()
 !>
 !> The integrator takes the steps that the tolerance asks for, however many times are asked for: where there are several
 !> in a step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies
@@ -25,7 +25,7 @@ module kyvadlo_integrator
    use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
    implicit none
    private
-   public :: integration_type, new_integration, advance, finish, integrate
+   public :: integration_type, new_integration, integrate
    public :: failure_request, failure_short_step, failure_events, failure_steps
 
    !> Why `advance` failed.
@@ -59,6 +59,8 @@ module kyvadlo_integrator
       !> At both ends of the last step, turns counted; NaN while the bob has not left the axis [rad]
       real(wp) :: azimuth = 0, azimuth_before = 0
       real(wp) :: first_azimuth = 0                    !! The first one known; NaN as long as there is none [rad]
+   contains
+      procedure, non_overridable :: advance, finish
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
@@ -97,7 +99,7 @@ contains
       real(wp) :: p(3), v(3), slack
       logical :: is_taut, wants_work
 
-      call finish(run)
+      call run%finish()
       call new_forces(forces, effects, length, gravity, error)
       if (allocated(error)) return
       p = position
@@ -173,7 +175,7 @@ contains
 
    !> The motion at ascending times, none before those of the call before. At a failure what follows is NaN.
    subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error, azimuths)
-      type(integration_type), intent(inout) :: run
+      class(integration_type), intent(inout) :: run
       real(wp), intent(in) :: times(:)                           !! (n) from 0 on [s]
       real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n) relative to the pivot [m], [m/s]
       real(wp), intent(out) :: tensions(:)  !! (n) force of rod or string over the bob's mass [m/s2]
@@ -244,7 +246,7 @@ contains
 
    !> Frees the memory.
    subroutine finish(run)
-      type(integration_type), intent(inout) :: run
+      class(integration_type), intent(inout) :: run
 
       call free_stepper(run%stepper)
       call forget(run)
@@ -475,8 +477,8 @@ contains
       velocities = positions
       call new_integration(run, effects, length, gravity, start_position, start_velocity, tolerance, error)
       if (.not. allocated(error)) &
-         call advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error)
-      call finish(run)
+         call run%advance(times, positions, velocities, tensions, drag_work, pivot_work, error)
+      call run%finish()
    end subroutine integrate
 
 end module kyvadlo_integrator

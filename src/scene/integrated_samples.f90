@@ -1,7 +1,7 @@
 !> Samples of an integrated scene; beside it, on request, the same at a tenth of the tolerance.
 module kyvadlo_integrated_samples
    use kyvadlo_forces, only: mechanical_energy
-   use kyvadlo_integrator, only: advance, finish, integration_type, new_integration
+   use kyvadlo_integrator, only: integration_type, new_integration
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities
@@ -38,8 +38,8 @@ contains
       with_azimuth = block%column(quantity_azimuth) > 0
       allocate (integrated%positions(3, block_samples), integrated%velocities(3, block_samples))
       azimuth = quiet_nan_real64
-      if (with_azimuth .and. all(is_upright([path%position(1), path%velocity(1)], [path%position(2), path%velocity(2)]))) &
-         call look_ahead(path, azimuth, error)
+      if (with_azimuth .and. all(is_upright([path%position(1), path%velocity(1)], &
+         [path%position(2), path%velocity(2)]))) call look_ahead(path, azimuth, error)
       if (allocated(error)) return
       call new_integration(integrated%run, path%effects, path%length, path%gravity, path%position, path%velocity, &
          path%tolerance, error, with_work, with_azimuth, azimuth, path%most_steps)
@@ -61,14 +61,14 @@ contains
       integer, parameter :: looks = 100
       integer :: i
 
-      call new_integration(run, path%effects, path%length, path%gravity, path%position, path%velocity, path%tolerance, error, &
-         .false., .true., most_steps=path%most_steps)
+      call new_integration(run, path%effects, path%length, path%gravity, path%position, path%velocity, path%tolerance, &
+         error, .false., .true., most_steps=path%most_steps)
       do i = 1, looks
          if (allocated(error) .or. run%first_azimuth == run%first_azimuth) exit
-         call advance(run, [path%duration*(real(i, wp)/looks)], there, moving, tension, drag_work, pivot_work, error)
+         call run%advance([path%duration*(real(i, wp)/looks)], there, moving, tension, drag_work, pivot_work, error)
       end do
       azimuth = run%first_azimuth
-      call finish(run)
+      call run%finish()
    end subroutine look_ahead
 
    !> The samples at the times of the block, relative to the pivot.
@@ -83,11 +83,11 @@ contains
       associate (values => block%values, n => block%count, column => block%column, &
          positions => integrated%positions, velocities => integrated%velocities)
          if (column(quantity_azimuth) > 0) then
-            call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
-               error, values(:n, column(quantity_azimuth)))
+            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
+               pivot_work, error, values(:n, column(quantity_azimuth)))
          else
-            call advance(integrated%run, values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, pivot_work, &
-               error)
+            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
+               pivot_work, error)
          end if
          if (allocated(error)) return
          do i = 1, 3
@@ -101,8 +101,8 @@ contains
             - positions(2, :n)*velocities(1, :n)
          if (column(quantity_energy) > 0) then
             do i = 1, n
-               values(i, column(quantity_energy)) = mechanical_energy(path%effects, path%length, path%gravity, values(i, 1), &
-                  positions(:, i), velocities(:, i))
+               values(i, column(quantity_energy)) = mechanical_energy(path%effects, path%length, path%gravity, &
+                  values(i, 1), positions(:, i), velocities(:, i))
             end do
          end if
       end associate
@@ -119,7 +119,7 @@ contains
       integer :: i
 
       associate (n => block%count, check => integrated%check)
-         call advance(integrated%finer, block%values(:n, 1), integrated%other_positions(:, :n), &
+         call integrated%finer%advance(block%values(:n, 1), integrated%other_positions(:, :n), &
             integrated%other_velocities(:, :n), tensions, drag_work, pivot_work, error)
          if (allocated(error)) return
          do i = 1, n
@@ -141,8 +141,8 @@ contains
    subroutine end_integration(integrated)
       type(integrated_type), intent(inout) :: integrated
 
-      call finish(integrated%run)
-      call finish(integrated%finer)
+      call integrated%run%finish()
+      call integrated%finer%finish()
    end subroutine end_integration
 
 end module kyvadlo_integrated_samples

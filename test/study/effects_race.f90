@@ -114,8 +114,8 @@ contains
 
       call new_integration(run, entry%effects, l, g, entry%position, entry%velocity, tolerance, error, entry%with_work)
       if (.not. allocated(error)) &
-         call advance(run, entry%times, entry%places, velocities, tensions, drag_work, pivot_work, error)
-      call finish(run)
+         call run%advance(entry%times, entry%places, velocities, tensions, drag_work, pivot_work, error)
+      call run%finish()
       if (allocated(error)) error stop 'effects_race: the integration failed'
    end subroutine integrate_here
 
