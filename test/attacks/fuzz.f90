@@ -76,7 +76,10 @@ contains
 
       accepted = 0
       do i = first, first + count - 1
-         if (modulo(i - first, 10000_int64) == 0) write (error_unit, '(2a,i0)') trim(kind), ' ', i
+         if (modulo(i - first, 10000_int64) == 0) then
+            write (error_unit, '(2a,i0)') trim(kind), ' ', i
+            flush (error_unit)
+         end if
          state = ieor(1442695040888963407_int64, ieor(i, ishft(i, 32)))
          do j = 1, 4
             k = random(2)
