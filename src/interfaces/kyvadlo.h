@@ -1,9 +1,9 @@
 /* kyvadlo: the spherical pendulum in closed form, and the elliptic functions it needs. C99 and C++.
 
-   All in double precision and SI units. Every function is thread-safe: an orbit is a plain struct that the caller owns, set up once
-   and read afterwards; nothing is allocated, nothing need be freed. Conventions: parameter m = k*k, complementary parameter
-   mc = 1 - m (names ending in c), characteristic n in 1 - n sin^2. Outside its domain a function returns NaN, at a pole
-   an infinity. See doc/elliptic.md and doc/c_interface.md. */
+   All in double precision and SI units. Every function is thread-safe: an orbit is a plain struct that the caller owns,
+   set up once and read afterwards; nothing is allocated, nothing need be freed. Conventions: parameter m = k*k,
+   complementary parameter mc = 1 - m (names ending in c), characteristic n in 1 - n sin^2. Outside its domain a
+   function returns NaN, at a pole an infinity. See doc/elliptic.md and doc/c_interface.md. */
 #ifndef KYVADLO_H
 #define KYVADLO_H
 
@@ -59,12 +59,12 @@ double kyvadlo_bulirsch_el3(double x, double kc, double p); /* Pi */
 void kyvadlo_sncndn(double u, double m, double *sn, double *cn, double *dn, double *am);
 void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, double *am);
 
-/* ---- Orbits ------------------------------------------------------------------------------------------------------- */
+/* ---- Orbits ------------------------------------------------------------------------------------------------ */
 
 #define KYVADLO_ORBIT_SIZE 225
 
-/* An orbit. Its contents belong to the version of the library that made it: a checksum guards them, and of a struct that was never
-   set up, or changed, every function answers NaN or a code. It may be copied as a whole. */
+/* An orbit. Its contents belong to the version of the library that made it: a checksum guards them, and of a struct
+   that was never set up, or changed, every function answers NaN or a code. It may be copied as a whole. */
 typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
 
 /* 1 if the struct holds an orbit as a set-up left it, else 0. */
@@ -82,8 +82,8 @@ enum {
 /* What a code means, in a few words; never null, and not to be freed. A set-up's own message says more. */
 const char *kyvadlo_message(int code);
 
-/* Set-up from length l and gravity g > 0 and two numbers. Returns a code; on failure `message` (of `capacity` bytes, may be 0)
-   says which rule is broken by which values, and every result from the orbit is NaN. */
+/* Set-up from length l and gravity g > 0 and two numbers. Returns a code; on failure `message` (of `capacity` bytes,
+   may be 0) says which rule is broken by which values, and every result from the orbit is NaN. */
 /* The turning heights z1 >= z2 above the pivot [m]; z1 + z2 < 0. */
 int kyvadlo_orbit_from_heights(double length, double gravity, double upper, double lower,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
@@ -109,9 +109,10 @@ int kyvadlo_orbit_from_release(double length, double gravity, double angle, doub
 int kyvadlo_orbit_from_state(double length, double gravity, const double position[3], const double velocity[3],
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 
-/* Lets kyvadlo_locate_many compute the places of an orbit in single precision or with fewer terms, whichever keeps the accuracy at
-   the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the accuracy of the greatest speed.
-   From 3.6e-15 to 0.1, and once for an orbit; where that fails the orbit stays as it was. */
+/* Lets kyvadlo_locate_many compute the positions of an orbit in single precision or with fewer terms, whichever keeps
+   the accuracy at the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the
+   accuracy of the greatest speed. From 3.6e-15 to 0.1, and once for an orbit; where that fails the orbit stays as it
+   was. */
 int kyvadlo_orbit_to_accuracy(kyvadlo_orbit *orbit, double accuracy, double span, char *message, size_t capacity);
 
 /* What does not change along an orbit. */
@@ -143,10 +144,12 @@ double kyvadlo_time_to_height(const kyvadlo_orbit *orbit, double z); /* first t 
 double kyvadlo_time_to_rise(const kyvadlo_orbit *orbit, double rise); /* first t >= 0 at the rise l + z [s] */
 double kyvadlo_time_to_azimuth(const kyvadlo_orbit *orbit, double phi); /* first t >= 0 at the azimuth phi [s] */
 double kyvadlo_next_turning_time(const kyvadlo_orbit *orbit, double t); /* first turning point later than t [s] */
-/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i]) by vector
-   kernels. The last one shares long arrays among `threads` threads, 0: as many as OpenMP offers; the others stay on the caller's. */
+/* Position x, y, z [m] and velocity [m/s] at one time, and at `count` times (positions[3*i], ... belong to times[i])
+   by vector kernels. The last one shares long arrays among `threads` threads, 0: as many as OpenMP offers; the others
+   stay on the caller's. */
 void kyvadlo_locate(const kyvadlo_orbit *orbit, double t, double position[3], double velocity[3]);
-void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions, double *velocities);
+void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions,
+   double *velocities);
 void kyvadlo_locate_many_threads(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions,
    double *velocities, int threads);
 

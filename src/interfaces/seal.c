@@ -1,6 +1,6 @@
-/* The seal of a kyvadlo_orbit: its last word, a checksum of the others. Every function that reads an orbit looks at it
-   first, so it is made of few additions: of 32 sums of every 32nd word, mixed by turns of their bits and odd factors. One
-   wrong word always changes it, several by all likelihood. */
+/* The seal of a kyvadlo_orbit: its last word, a checksum of the others. Every function that reads an orbit looks at
+   it first, so it is made of few additions: of 32 sums of every 32nd word, mixed by turns of their bits and odd
+   factors. One wrong word always changes it, several by all likelihood. */
 #include "kyvadlo.h"
 #include <stdint.h>
 #include <string.h>

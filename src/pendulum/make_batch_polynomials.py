@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Writes batch_polynomials.inc: near-minimax polynomials of the batch kernel, by Chebyshev interpolation at 60 digits (mpmath).
+"""Writes batch_polynomials*.inc: near-minimax polynomials of the batch kernels, by Chebyshev interpolation at 60
+digits (mpmath).
 
     sin(pi f/2)/f and cos(pi f/2)            for |f| <= 1/2,     in powers of f**2
     sinh(r)/r     and cosh(r)                for |r| <= ln(2)/2, in powers of r**2
 
-Printed beside each table: the largest error with the coefficients rounded to real64, relative for the sines, absolute for the cosines.
+Printed beside each table: the largest error with the coefficients rounded to their kind, relative for the sines,
+absolute for the cosines.
 """
 import struct
 
@@ -59,8 +61,8 @@ def series(degrees, period_degrees):
     if period_degrees:
         yield ("logarithm_rest", "atanh(s)/s", ratio(mp.atanh, mp.mpf(1)), (mp.sqrt(2) - 1) / (mp.sqrt(2) + 1),
                period_degrees[0], True, 1)
-        yield ("mean_series", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))), mp.mpf(1) / 10,
-               period_degrees[1], False, 0)
+        yield ("mean_series", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))),
+               mp.mpf(1) / 10, period_degrees[1], False, 0)
     yield "hyperbolic_cosine_series", "cosh(r)", lambda z: mp.cosh(mp.sqrt(abs(z))), root, degrees[3], False, 0
 
 

@@ -1,4 +1,5 @@
-!> The orbit of a spherical pendulum: everything about it that does not change with time, set up once, read by any thread.
+!> The orbit of a spherical pendulum: everything about it that does not change with time, set up once, read by any
+!> thread.
 !>
 !> `wp` is the caller's kind, `cp` the kind that computes: real32 orbits are computed in real64. `orbit_rates.inc`
 !> computes T and the advance, `orbit_series.inc` sets up the theta series.

@@ -1,5 +1,5 @@
-!> The arithmetic in pairs of numbers for the exact motion: a copy of `kyvadlo_two_part` that is compiled in one unit with
-!> the set-up of orbits (`src/unit_orbit.F90`).
+!> The arithmetic in pairs of numbers for the exact motion: a copy of `kyvadlo_two_part` that is compiled in one unit
+!> with the set-up of orbits (`src/unit_orbit.F90`).
 module kyvadlo_pairs_real64
    use, intrinsic :: iso_fortran_env, only: pk => real64
 #include "../arithmetic/two_part.inc"

@@ -1,8 +1,8 @@
 !> A bob on a string, which can only pull: swings on the sphere and free flights between them, every one exact.
 !>
 !> The string goes slack where its tension over the mass, (2 c1 - 3 g z)/l, reaches zero on the way up; the bob flies
-!> freely until it is a length away from the pivot again. There it loses its radial velocity, or gets it back reversed and
-!> times the coefficient of restitution, and swings on, or flies on.
+!> freely until it is a length away from the pivot again. There it loses its radial velocity, or gets it back reversed
+!> and times the coefficient of restitution, and swings on, or flies on.
 module kyvadlo_string
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite, quiet_nan_real64
@@ -27,7 +27,7 @@ module kyvadlo_string
       type(orbit_type) :: orbit          !! If taut: the swing, its time counted from `start`
       real(wp) :: position(3) = 0        !! At `start` [m]
       real(wp) :: velocity(3) = 0        !! At `start` [m/s]
-      real(wp) :: depth = 0              !! Of a flight: (l**2 - |position|**2)/2, not zero only where the motion starts [m2]
+      real(wp) :: depth = 0  !! Of a flight: (l**2 - |position|**2)/2, not zero only where the motion starts [m2]
    end type string_piece_type
 
    !> What happened between two pieces.
@@ -50,8 +50,8 @@ module kyvadlo_string
       procedure, non_overridable :: locate => locate_on_string
    end type string_motion_type
 
-   !> Rebounds end, as if inelastic, when the radial speed is below this part of sqrt(g l): the bob then would come off by
-   !> less than its square, an epsilon of the length.
+   !> Rebounds end, as if inelastic, when the radial speed is below this part of sqrt(g l): the bob then would come off
+   !> by less than its square, an epsilon of the length.
    real(wp), parameter :: rattling = sqrt(epsilon(1.0_wp))
    !> A start further off the sphere, or with a larger part of its speed inwards, begins a flight: as in kyvadlo_gaps.
    real(wp), parameter :: most_off = 1e-3_wp
@@ -70,7 +70,8 @@ contains
       real(wp), intent(in) :: restitution             !! Of the radial speed at re-tension, 0 (inelastic) to 1
       real(wp), intent(in) :: duration                !! Events after it are left out [s]
       type(error_type), allocatable, intent(out) :: error
-      real(wp), intent(in), optional :: gravity_rest  !! What of g its rounding took off, which swings feel after a time [m/s2]
+      !> What of g its rounding took off, which swings feel after a time [m/s2]
+      real(wp), intent(in), optional :: gravity_rest
       type(string_piece_type) :: piece
       type(string_event_type) :: event
       character(len=24) :: got
@@ -118,8 +119,8 @@ contains
       motion%until = merge(duration, piece%start, motion%is_complete)
    end subroutine new_string_motion
 
-   !> Whether a string is slack because its bob starts inside the sphere or moves inwards. (On the sphere it may be slack because it
-   !> is slow.)
+   !> Whether a string is slack because its bob starts inside the sphere or moves inwards. (On the sphere it may be
+   !> slack because it is slow.)
    pure logical function string_starts_in_flight(length, position, velocity)
       real(wp), intent(in) :: length, position(3), velocity(3)
 
@@ -176,9 +177,9 @@ contains
       piece%is_taut = .false.
    end subroutine leave
 
-   !> The end of a flight: where the bob is a length away from the pivot again, and what it does there. The distance along
-   !> p + v t - g t**2/2 is l where g**2 t**3/4 - g vz t**2 + (v**2 - g z) t + 2 p.v = 0; leaving at zero tension, v**2 = g z
-   !> and p.v = 0, that is t = 4 vz/g.
+   !> The end of a flight: where the bob is a length away from the pivot again, and what it does there. The distance
+   !> along p + v t - g t**2/2 is l where g**2 t**3/4 - g vz t**2 + (v**2 - g z) t + 2 p.v = 0; leaving at zero tension,
+   !> v**2 = g z and p.v = 0, that is t = 4 vz/g.
    pure subroutine arrive(motion, restitution, piece, event, error)
       type(string_motion_type), intent(in) :: motion
       real(wp), intent(in) :: restitution
@@ -241,8 +242,9 @@ contains
       end associate
    end function flight_time
 
-   !> The first time at which a flight from inside the sphere meets it: the first root of h = depth - p.v t - (v**2 - g z) t**2/2
-   !> + g vz t**3/2 - g**2 t**4/8, between two of its stationary points, by bisection that Newton's method cuts short.
+   !> The first time at which a flight from inside the sphere meets it: the first root of h = depth - p.v t - (v**2 - g
+   !> z) t**2/2 + g vz t**3/2 - g**2 t**4/8, between two of its stationary points, by bisection that Newton's method
+   !> cuts short.
    pure real(wp) function time_from_inside(gravity, piece) result(after)
       real(wp), intent(in) :: gravity
       type(string_piece_type), intent(in) :: piece
