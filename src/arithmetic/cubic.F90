@@ -1,5 +1,5 @@
-!> The real roots of a cubic in the three kinds. real32 is computed in real64: deciding exactly needs four times the digits
-!> of the coefficients below one another, for which real32 has no room in its exponents.
+!> The real roots of a cubic in the three kinds. real32 is computed in real64: deciding exactly needs four times the
+!> digits of the coefficients below one another, for which real32 has no room in its exponents.
 module kyvadlo_cubic_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, xp => real64
    use kyvadlo_numbers, only: is_finite

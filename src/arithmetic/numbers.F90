@@ -1,6 +1,6 @@
-!> Infinity and NaN as constants and tests for them, without an IEEE module: gfortran saves and restores the floating-point
-!> environment at each call of a procedure whose scope uses one (600 to 1200 ns). Where a test must be inlined, `x /= x` tells a
-!> NaN too: == and /= are quiet (IEEE 754), < and <= raise invalid.
+!> Infinity and NaN as constants and tests for them, without an IEEE module: gfortran saves and restores the
+!> floating-point environment at each call of a procedure whose scope uses one (600 to 1200 ns). Where a test must be
+!> inlined, `x /= x` tells a NaN too: == and /= are quiet (IEEE 754), < and <= raise invalid.
 module kyvadlo_numbers_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, ik => int32, int8, int16
 #include "numbers.inc"

@@ -1,5 +1,5 @@
-!> Bulirsch's general complete elliptic integral with positive weights in two kinds: a tool of `bulirsch_cel`, of the third
-!> kind, of zeta and of lambda.
+!> Bulirsch's general complete elliptic integral with positive weights in two kinds: a tool of `bulirsch_cel`, of the
+!> third kind, of zeta and of lambda.
 module kyvadlo_cel_positive_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64
 #include "cel_positive.inc"

@@ -12,8 +12,8 @@ module kyvadlo_complete_mean
    use, intrinsic :: iso_fortran_env, only: wp => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
    use kyvadlo_nome_real128, only: log_nome
-   use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, by_power_of_two, two_sum, two_difference, &
-      operator(+), operator(-), operator(*), operator(/), sqrt
+   use kyvadlo_two_part_real128, only: pair_type, pi_pair, pair, value, scaled, by_power_of_two, two_sum, &
+      two_difference, operator(+), operator(-), operator(*), operator(/), sqrt
 #include "complete_mean.inc"
 end module kyvadlo_complete_mean
 #endif
