@@ -194,10 +194,10 @@ contains
       character(len=:), allocatable :: answer
       logical :: failed
 
-      call answer_request(1.0_real64, text, answer, failed)
+      call answer_request(1.0_real64, text, .false., answer, failed)
       if (.not. failed) accepted = accepted + 1
       if (len(answer) == 0 .and. text /= '') error stop 'a request without an answer'
-      call answer_request(1.0_real32, text, answer, failed)
+      call answer_request(1.0_real32, text, .true., answer, failed)
    end subroutine try_request
 
    subroutine try_options(text)
