@@ -70,63 +70,14 @@ contains
       real(wp), intent(out) :: tension             !! Of rod or string, per mass of the bob [m/s2]
       real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory and of the pivot, likewise [m2/s3]
       real(wp) :: distance, outward(3), bending
-      real(wp) :: ax, ay, az, u, v, w, a, b, c, drag, pull, square
+      real(wp) :: ax, ay, az, pull, square
 
       ax = 0
       ay = 0
       az = -forces%weight
       powers(1) = 0
       powers(2) = 0
-      if (forces%has_more) then
-         ! In the laboratory.
-         u = velocity(1)
-         v = velocity(2)
-         w = velocity(3)
-         if (forces%has_moving_pivot) then
-            ! A step evaluates three times at its end.
-            if (abs(time - forces%pivot_time) > 0) then
-               forces%pivot_time = time
-               call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
-                  forces%needs_pivot_velocity)
-            end if
-            if (forces%needs_pivot_velocity) then
-               u = u + forces%pivot_velocity(1)
-               v = v + forces%pivot_velocity(2)
-               w = w + forces%pivot_velocity(3)
-            end if
-         end if
-         if (forces%has_drag) then
-            a = u - forces%effects%wind(1)
-            b = v - forces%effects%wind(2)
-            c = w - forces%effects%wind(3)
-            drag = forces%effects%linear_drag
-            if (forces%effects%quadratic_drag > 0) drag = drag + forces%effects%quadratic_drag*sqrt(a**2 + b**2 + c**2)
-            ax = -drag*a
-            ay = -drag*b
-            c = -drag*c
-            az = az + c
-            powers(1) = ax*u + ay*v + c*w
-         end if
-         if (forces%has_turn) then
-            ! Coriolis; the constant centrifugal part belongs to the local gravity.
-            associate (turn => forces%effects%turn_rate)
-               ax = ax - 2*(turn(2)*w - turn(3)*v)
-               ay = ay - 2*(turn(3)*u - turn(1)*w)
-               az = az - 2*(turn(1)*v - turn(2)*u)
-            end associate
-         end if
-         if (forces%inertia > 1) then
-            ax = ax/forces%inertia
-            ay = ay/forces%inertia
-            az = az/forces%inertia
-         end if
-         if (forces%has_moving_pivot) then
-            ax = ax - forces%pivot_acceleration(1)
-            ay = ay - forces%pivot_acceleration(2)
-            az = az - forces%pivot_acceleration(3)
-         end if
-      end if
-
+      if (forces%has_more) call add_forces(forces, time, velocity, ax, ay, az, powers(1))
       if (.not. is_taut) then
          tension = 0
          acceleration = [ax, ay, az]
@@ -163,6 +114,64 @@ contains
          if (forces%needs_pivot_velocity) powers(2) = -tension*dot_product(outward, forces%pivot_velocity)
       end if
    end subroutine move
+
+   !> What acts besides weight and rod or string, added to the acceleration. (Called once, so that the compiler puts it
+   !> there.)
+   pure subroutine add_forces(forces, time, velocity, ax, ay, az, power)
+      type(forces_type), intent(inout) :: forces
+      real(wp), intent(in) :: time, velocity(3)
+      real(wp), intent(inout) :: ax, ay, az
+      real(wp), intent(inout) :: power             !! Of the drag
+      real(wp) :: u, v, w, a, b, c, drag
+
+      ! In the laboratory.
+      u = velocity(1)
+      v = velocity(2)
+      w = velocity(3)
+      if (forces%has_moving_pivot) then
+         ! A step evaluates three times at its end.
+         if (abs(time - forces%pivot_time) > 0) then
+            forces%pivot_time = time
+            call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
+               forces%needs_pivot_velocity)
+         end if
+         if (forces%needs_pivot_velocity) then
+            u = u + forces%pivot_velocity(1)
+            v = v + forces%pivot_velocity(2)
+            w = w + forces%pivot_velocity(3)
+         end if
+      end if
+      if (forces%has_drag) then
+         a = u - forces%effects%wind(1)
+         b = v - forces%effects%wind(2)
+         c = w - forces%effects%wind(3)
+         drag = forces%effects%linear_drag
+         if (forces%effects%quadratic_drag > 0) drag = drag + forces%effects%quadratic_drag*sqrt(a**2 + b**2 + c**2)
+         ax = -drag*a
+         ay = -drag*b
+         c = -drag*c
+         az = az + c
+         power = ax*u + ay*v + c*w
+      end if
+      if (forces%has_turn) then
+         ! Coriolis; the constant centrifugal part belongs to the local gravity.
+         associate (turn => forces%effects%turn_rate)
+            ax = ax - 2*(turn(2)*w - turn(3)*v)
+            ay = ay - 2*(turn(3)*u - turn(1)*w)
+            az = az - 2*(turn(1)*v - turn(2)*u)
+         end associate
+      end if
+      if (forces%inertia > 1) then
+         ax = ax/forces%inertia
+         ay = ay/forces%inertia
+         az = az/forces%inertia
+      end if
+      if (forces%has_moving_pivot) then
+         ax = ax - forces%pivot_acceleration(1)
+         ay = ay - forces%pivot_acceleration(2)
+         az = az - forces%pivot_acceleration(3)
+      end if
+   end subroutine add_forces
 
    !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less
    !> buoyancy; of the spring. It changes by the work of drag and pivot, and by what is lost where a string becomes taut
