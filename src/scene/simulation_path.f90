@@ -128,10 +128,10 @@ contains
             if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))//': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
             if (present(accuracy)) then
-               call plan_accuracy(simulation, pendulum, accuracy, path, error)
+               call plan_accuracy(simulation, pendulum, accuracy, .true., path, error)
             else if (path%duration > path%orbit%time_limit()) then
                ! Double precision cannot tell the phase to the end.
-               call plan_accuracy(simulation, pendulum, phase_accuracy, path, error)
+               call plan_accuracy(simulation, pendulum, phase_accuracy, .false., path, error)
             end if
          end if
       end associate
@@ -277,10 +277,11 @@ contains
    end subroutine check_table
 
    !> The cheapest evaluation that keeps an accuracy of the places throughout.
-   subroutine plan_accuracy(simulation, pendulum, accuracy, path, error)
+   subroutine plan_accuracy(simulation, pendulum, accuracy, is_asked, path, error)
       type(simulation_type), intent(in) :: simulation
       type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
       real(wp), intent(in) :: accuracy
+      logical, intent(in) :: is_asked                        !! By the user; else because of the duration
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
       integer :: values
@@ -298,8 +299,13 @@ contains
          call fail(error, code_unsupported, '')
       if (allocated(error)) then
          error%message = place_of(pendulum%file, max(simulation%settings%line(output_group), 1))//'&output: over ' &
-            //trim(digits_text(path%duration, 6))//' s an accuracy of '//trim(digits_text(accuracy, 2)) &
-            //' cannot be kept: rounding alone loses the phase by more; shorten duration'
+            //trim(digits_text(path%duration, 6))//' s '
+         if (is_asked) then
+            error%message = error%message//'an accuracy of '//trim(digits_text(accuracy, 2)) &
+               //' cannot be kept: rounding alone loses the phase by more; shorten duration'
+         else
+            error%message = error%message//'no precision of this build can tell the phase of the motion; shorten duration'
+         end if
          return
       end if
       path%method = path%method//' ('//trim(path%plan%choice_text())//')'
