@@ -218,6 +218,9 @@ contains
 
       call exclude(error, rod_group, string_group)
       call exclude(error, rod_group, elastic_group)
+      if (chosen%given(elastic_group) .and. is_given(values, string_group, 'restitution')) call complain(error, &
+         values%line(setting_place(string_group, 'restitution')), '&string: restitution and &elastic exclude each other: '// &
+         'an elastic string loses nothing where it becomes taut')
       if (chosen%given(wind_group) .and. .not. chosen%given(air_group)) call complain(error, chosen%line(wind_group), &
          '&wind needs &air')
       do i = 1, size(of_sphere)

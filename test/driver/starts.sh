@@ -111,6 +111,10 @@ END
    ! grep -q '#' out || complain "no event expected at $angle degrees"
 done
 
+# What an elastic string does where it becomes taut follows from its stiffness.
+sed 's/&string/\&string restitution=0.5/' rest_length.nml >bouncing.nml
+fails 2 'bouncing.nml:2: &string: restitution and &elastic exclude each other' simulate bouncing.nml
+
 # P. Lynch's swinging spring in resonance (Int. J. Non-Linear Mech. 37 (2002) 345): mass 1 kg, 1 m at rest, gravity pi**2, stiffness
 # 4 pi**2. Against the classical method of Runge and Kutta with steps of 1/4000 s, whose error is below 1e-11 here.
 cat >lynch.nml <<'END'
