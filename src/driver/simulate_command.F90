@@ -16,6 +16,7 @@ module kyvadlo_simulate_command
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_scene_effects, only: get_table_path
+   use kyvadlo_settings_list, only: write_settings
    use kyvadlo_standard_io, only: close_output, discard_output, get_unfinished_name, is_on_terminal, is_terminal, &
       message, open_output, output_type
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
@@ -34,8 +35,16 @@ contains
       type(simulation_type) :: simulation
       type(path_type) :: path
       type(run_files_type) :: files
+      type(output_type) :: list
       real(wp), allocatable :: accuracy, most_steps
+      character(len=:), allocatable :: pendulum     !! Not allocated: the scene has one
 
+      if (option_given(arguments, '--list')) then
+         call open_output(list, '', error)
+         call write_settings(list)
+         call close_output(list, error)
+         return
+      end if
       if (size(arguments%operands) /= 1) then
          call fail(error, code_input, 'simulate needs one scene file, or - for standard input')
          return
@@ -46,7 +55,8 @@ contains
       if (.not. allocated(error)) call number_option(arguments, '--most-steps', 1e15_wp, 'above 0, at most 1e15', &
          most_steps, error)
       if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
-      if (.not. allocated(error)) call read_scene(arguments, simulation, error)
+      if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
+      if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error, pendulum)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
       if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
@@ -103,18 +113,6 @@ contains
       if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
    end subroutine check_options
-
-   subroutine read_scene(arguments, simulation, error)
-      type(arguments_type), intent(in) :: arguments
-      type(simulation_type), intent(out) :: simulation
-      type(error_type), allocatable, intent(out) :: error
-
-      if (option_given(arguments, '--pendulum')) then
-         call read_simulation(arguments%operands(1)%text, simulation, error, option_value(arguments, '--pendulum', ''))
-      else
-         call read_simulation(arguments%operands(1)%text, simulation, error)
-      end if
-   end subroutine read_scene
 
    !> Whether the files of the run, read and written, go together.
    subroutine check_all_files(arguments, simulation, files, error)

@@ -4,12 +4,11 @@ module kyvadlo_study_command
    use kyvadlo_command_line, only: arguments_type, option_given, option_value
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: read_number
-   use kyvadlo_pendulum_choice, only: find_pendulum
    use kyvadlo_gnuplot, only: draw_picture
    use kyvadlo_quoting, only: is_printable
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
-   use kyvadlo_scene, only: pendulum_type_real128
-   use kyvadlo_scene_reader, only: read_scene
+   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene_reader, only: choose_pendulum, read_scene
    use kyvadlo_standard_io, only: close_output, is_terminal, make_folder, message, open_output, output_type, &
       terminal_width
    use kyvadlo_status, only: code_input, error_type, fail
@@ -134,12 +133,11 @@ contains
       type(study_orbit_type), allocatable, intent(out) :: orbits(:)
       type(study_cubic_type), allocatable, intent(out) :: cubics(:)
       type(error_type), allocatable, intent(out) :: error
-      type(pendulum_type_real128), allocatable :: pendulums(:)
+      type(pendulum_type), allocatable :: pendulums(:)
       type(study_orbit_type) :: orbit
       type(study_cubic_type) :: cubic
-      type(text_type), allocatable :: names(:)
       logical :: has_failed
-      integer :: i, j, place
+      integer :: i, j
 
       if (size(arguments%operands) == 0) then
          call built_in_orbits(orbits)
@@ -149,17 +147,9 @@ contains
       allocate (orbits(0), cubics(0))
       do i = 1, size(arguments%operands)
          call read_scene(arguments%operands(i)%text, pendulums, error)
+         if (option_given(arguments, '--pendulum') .and. .not. allocated(error)) &
+            call choose_pendulum(pendulums, option_value(arguments, '--pendulum', ''), error)
          if (allocated(error)) return
-         if (option_given(arguments, '--pendulum')) then
-            deallocate (names, stat=j)
-            allocate (names(size(pendulums)))
-            do j = 1, size(pendulums)
-               names(j)%text = pendulums(j)%name
-            end do
-            call find_pendulum(names, option_value(arguments, '--pendulum', ''), place, error)
-            if (allocated(error)) return
-            pendulums = pendulums(place:place)
-         end if
          do j = 1, size(pendulums)
             call orbit_from_pendulum(pendulums(j), orbit, error)
             if (allocated(error)) then

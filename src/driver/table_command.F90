@@ -1,20 +1,20 @@
 !> The command `table`: scenes, the built-in pendulums, or a grid of turning heights, in the kind asked for.
 module kyvadlo_table_command_real32
    use, intrinsic :: iso_fortran_env, only: int64, wp => real32
-   use kyvadlo_scene_real32, only: pendulum_type => pendulum_type_real32
+   use kyvadlo_orbit_real32, only: orbit_type
 #include "table_command.inc"
 end module kyvadlo_table_command_real32
 
 module kyvadlo_table_command_real64
    use, intrinsic :: iso_fortran_env, only: int64, wp => real64
-   use kyvadlo_scene_real64, only: pendulum_type
+   use kyvadlo_orbit_real64, only: orbit_type
 #include "table_command.inc"
 end module kyvadlo_table_command_real64
 
 #ifndef KYVADLO_NO_REAL128
 module kyvadlo_table_command_real128
    use, intrinsic :: iso_fortran_env, only: int64, wp => real128
-   use kyvadlo_scene_real128, only: pendulum_type => pendulum_type_real128
+   use kyvadlo_orbit_real128, only: orbit_type
 #include "table_command.inc"
 end module kyvadlo_table_command_real128
 #endif
@@ -24,10 +24,13 @@ module kyvadlo_table_command
 #ifndef KYVADLO_NO_REAL128
    use, intrinsic :: iso_fortran_env, only: real128
 #endif
+   use kyvadlo_built_in_scene, only: built_in_name, built_in_scene
    use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene_reader, only: choose_pendulum, parse_scene, read_scene
    use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
-   use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
+   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_table_command_real32
    use kyvadlo_table_command_real64
@@ -36,6 +39,7 @@ module kyvadlo_table_command
 #endif
    use kyvadlo_table_options, only: table_options_type
    use kyvadlo_version, only: with_quad
+   use kyvadlo_text, only: text_type
    implicit none
    private
    public :: table_command
@@ -48,22 +52,24 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(table_options_type) :: options
       type(output_type) :: output
+      type(pendulum_type), allocatable :: pendulums(:)
       character(len=:), allocatable :: kind
 
       call read_options(arguments, options, kind, error)
       if (.not. allocated(error)) call check_all_files(arguments, error)
+      if (.not. allocated(error)) call read_all(arguments, pendulums, error)
       if (allocated(error)) return
       call open_output(output, option_value(arguments, '--output', ''), error)
       if (allocated(error)) return
       select case (kind)
       case ('single')
-         call tables_in_kind(1.0_real32, arguments, options, output, error)
+         call tables_in_kind(1.0_real32, arguments, pendulums, options, output, error)
 #ifndef KYVADLO_NO_REAL128
       case ('quad')
-         call tables_in_kind(1.0_real128, arguments, options, output, error)
+         call tables_in_kind(1.0_real128, arguments, pendulums, options, output, error)
 #endif
       case default
-         call tables_in_kind(1.0_real64, arguments, options, output, error)
+         call tables_in_kind(1.0_real64, arguments, pendulums, options, output, error)
       end select
       if (allocated(error)) then
          call discard_output(output)
@@ -71,6 +77,31 @@ contains
          call close_output(output, error)
       end if
    end subroutine table_command
+
+   !> The pendulums of all scenes, in order, or the built-in ones, or the one chosen of them. Notes go to standard error.
+   subroutine read_all(arguments, pendulums, error)
+      type(arguments_type), intent(in) :: arguments
+      type(pendulum_type), allocatable, intent(out) :: pendulums(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(pendulum_type), allocatable :: more(:), all(:)
+      type(text_type) :: note
+      integer :: i
+
+      if (option_given(arguments, '--upper') .or. size(arguments%operands) == 0) &
+         call parse_scene(built_in_scene, built_in_name, pendulums, error)
+      do i = 1, size(arguments%operands)
+         if (.not. allocated(pendulums)) allocate (pendulums(0))
+         call read_scene(arguments%operands(i)%text, more, error, note)
+         if (allocated(error)) return
+         if (allocated(note%text)) call message('kyvadlo: '//note%text)
+         allocate (all(size(pendulums) + size(more)))
+         all(:size(pendulums)) = pendulums
+         all(size(pendulums) + 1:) = more
+         call move_alloc(all, pendulums)
+      end do
+      if (option_given(arguments, '--pendulum') .and. .not. allocated(error)) &
+         call choose_pendulum(pendulums, option_value(arguments, '--pendulum', ''), error)
+   end subroutine read_all
 
    !> Whether the files of the run go together.
    subroutine check_all_files(arguments, error)

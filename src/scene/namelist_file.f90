@@ -2,9 +2,9 @@
 !>
 !> Native namelist reading knows neither the line of an error nor the name it did not understand, and drops what it does
 !> not know between groups. Here every byte is accounted for. Read as in Fortran: `&name ... /` (or `&end`),
-!> `name = value`, several values separated by commas, blanks or line ends, `r*value`, `name(i) = value`, texts in ' or
-!> ", comments from ! to the end of the line, upper and lower case alike. Not accepted: empty values, text outside
-!> groups, complex numbers.
+!> `name = value`, several values separated by commas, blanks or line ends, `r*value`, `name(i) = value`,
+!> `name(i:j) = values`, texts in ' or ", comments from ! to the end of the line, remarks behind the end of a group up to the end
+!> of its line, upper and lower case alike. Not accepted: empty values, other text outside groups, complex numbers.
 module kyvadlo_namelist_file
    use kyvadlo_file_text, only: file_name, read_file
    use kyvadlo_status, only: code_input, error_type, fail
@@ -21,7 +21,7 @@ module kyvadlo_namelist_file
 
    type :: entry_type
       character(len=:), allocatable :: name  !! Lower case
-      integer :: subscript = 0               !! i of name(i); 0: none
+      integer :: first = 0, last = 0         !! i and j of name(i) or name(i:j); 0: none
       integer :: line = 0
       type(value_type), allocatable :: values(:)
    end type entry_type
@@ -40,6 +40,8 @@ module kyvadlo_namelist_file
       integer :: line = 1
    end type cursor_type
 
+   !> More values of a name, or names in a group, no scene has.
+   integer, parameter :: most_values = 100, most_names = 1000
    character(len=*), parameter :: line_feed = achar(10), carriage_return = achar(13), tabulator = achar(9)
    character(len=*), parameter :: name_characters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_'
 
@@ -118,12 +120,13 @@ contains
       type(cursor_type), intent(inout) :: cursor
       type(group_type), intent(out) :: group
       type(error_type), allocatable, intent(out) :: error
-      type(entry_type) :: entry
-      integer :: last
+      type(entry_type), allocatable :: entries(:), more(:)
+      integer :: last, count
 
       group%file = cursor%file
       group%line = cursor%line
-      allocate (group%entries(0))
+      count = 0
+      allocate (entries(8))
       last = end_of_name(text, cursor%at + 1)
       group%name = lower_case(text(cursor%at + 1:last))
       if (group%name == '') then
@@ -137,7 +140,8 @@ contains
          if (cursor%at <= len(text)) then
             if (text(cursor%at:cursor%at) == '/') then
                cursor%at = cursor%at + 1
-               return
+               call skip_remark(text, cursor)
+               exit
             end if
             if (text(cursor%at:cursor%at) == ',') then
                cursor%at = cursor%at + 1
@@ -147,7 +151,7 @@ contains
                last = end_of_name(text, cursor%at + 1)
                if (lower_case(text(cursor%at + 1:last)) == 'end') then
                   cursor%at = last + 1
-                  return
+                  exit
                end if
             end if
          end if
@@ -160,24 +164,39 @@ contains
                //shown(group%name)//' of line '//integer_text(group%line)//' has its end (/)')
             return
          end if
-         call parse_entry(text, cursor, entry, error)
+         if (count == most_names) then
+            call refuse(error, cursor, 'group &'//shown(group%name)//' has more than '//integer_text(most_names)//' names')
+            return
+         else if (count == size(entries)) then
+            allocate (more(2*count))
+            more(:count) = entries
+            call move_alloc(more, entries)
+         end if
+         count = count + 1
+         call parse_entry(text, cursor, entries(count), error)
          if (allocated(error)) return
-         call refuse_double(group, entry, error)
-         if (allocated(error)) return
-         call append_entry(group%entries, entry)
       end do
+      group%entries = entries(:count)
    end subroutine parse_group
 
-   pure subroutine append_entry(entries, entry)
-      type(entry_type), allocatable, intent(inout) :: entries(:)
-      type(entry_type), intent(in) :: entry
-      type(entry_type), allocatable :: more(:)
+   !> Behind the end of a group: what is left of the line, up to a comment or another group. Without a blank before it, it may
+   !> be a part of a value (`gravity = 9.8/2`), and is left to be complained of.
+   pure subroutine skip_remark(text, cursor)
+      character(len=*), intent(in) :: text
+      type(cursor_type), intent(inout) :: cursor
+      integer :: i
 
-      allocate (more(size(entries) + 1))
-      more(:size(entries)) = entries
-      more(size(more)) = entry
-      call move_alloc(more, entries)
-   end subroutine append_entry
+      if (scan(text(cursor%at:min(cursor%at, len(text))), ' '//tabulator) == 0) return
+      do i = cursor%at, len(text)
+         select case (text(i:i))
+         case (line_feed, carriage_return, '!')
+            exit
+         case ('&')
+            if (end_of_name(text, i + 1) > i) exit
+         end select
+      end do
+      cursor%at = i
+   end subroutine skip_remark
 
    pure subroutine append_value(values, value)
       type(value_type), allocatable, intent(inout) :: values(:)
@@ -190,24 +209,7 @@ contains
       call move_alloc(more, values)
    end subroutine append_value
 
-   !> A name may be given once, as a whole or element by element.
-   pure subroutine refuse_double(group, entry, error)
-      type(group_type), intent(in) :: group
-      type(entry_type), intent(in) :: entry
-      type(error_type), allocatable, intent(out) :: error
-      integer :: i
-
-      do i = 1, size(group%entries)
-         if (group%entries(i)%name /= entry%name) cycle
-         if (group%entries(i)%subscript /= entry%subscript .and. group%entries(i)%subscript > 0 &
-            .and. entry%subscript > 0) cycle
-         call fail(error, code_input, place_of(group%file, entry%line)//'&'//group%name//': '//shown(entry%name) &
-            //' given twice, first on line '//integer_text(group%entries(i)%line))
-         return
-      end do
-   end subroutine refuse_double
-
-   !> `name = value, value ...` or `name(i) = value`
+   !> `name = value, value ...`, `name(i) = value` or `name(i:j) = value, value ...`
    pure subroutine parse_entry(text, cursor, entry, error)
       character(len=*), intent(in) :: text
       type(cursor_type), intent(inout) :: cursor
@@ -217,7 +219,7 @@ contains
 
       entry%line = cursor%line
       allocate (entry%values(0))
-      call match_name(text, cursor%at, cursor%line, entry%name, entry%subscript, next, line)
+      call match_name(text, cursor%at, cursor%line, entry, next, line)
       if (next == 0) then
          call refuse(error, cursor, 'expected `name = value`, got ' &
             //quoted(text(cursor%at:line_end(text, cursor%at))))
@@ -228,20 +230,18 @@ contains
       call parse_values(text, cursor, entry, error)
    end subroutine parse_entry
 
-   !> Does `name =` or `name(i) =` stand at `at`? Then `next` is the place behind the equals sign, else 0.
-   pure subroutine match_name(text, at, at_line, name, subscript, next, line)
+   !> Does `name =`, `name(i) =` or `name(i:j) =` stand at `at`? Then `next` is the place behind the equals sign, else 0.
+   pure subroutine match_name(text, at, at_line, entry, next, line)
       character(len=*), intent(in) :: text
       integer, intent(in) :: at, at_line
-      character(len=:), allocatable, intent(out) :: name
-      integer, intent(out) :: subscript, next, line
+      type(entry_type), intent(inout) :: entry
+      integer, intent(out) :: next, line
       type(cursor_type) :: cursor
-      integer :: last, status, close
+      integer :: last, status, close, colon
 
       next = 0
       line = at_line
-      subscript = 0
       last = end_of_name(text, at)
-      name = lower_case(text(at:last))
       if (last < at) return
       if (text(at:at) >= '0' .and. text(at:at) <= '9') return
       cursor%at = last + 1
@@ -249,11 +249,18 @@ contains
       call skip_blanks(text, cursor)
       if (cursor%at > len(text)) return
       if (text(cursor%at:cursor%at) == '(') then
-         close = index(text(cursor%at:), ')') + cursor%at - 1
-         if (close < cursor%at .or. close - cursor%at > 12) return
-         if (verify(text(cursor%at + 1:close - 1), '0123456789 ') /= 0) return
-         read (text(cursor%at + 1:close - 1), '(i12)', iostat=status) subscript
-         if (status /= 0 .or. subscript < 1) return
+         close = cursor%at - 1 + index(text(cursor%at:min(len(text), cursor%at + 24)), ')')
+         if (close < cursor%at) return
+         colon = cursor%at + index(text(cursor%at + 1:close), ':')
+         if (verify(text(cursor%at + 1:close - 1), '0123456789 :') /= 0) return
+         if (colon == cursor%at) then
+            read (text(cursor%at + 1:close - 1), *, iostat=status) entry%first
+         else
+            read (text(cursor%at + 1:colon - 1), *, iostat=status) entry%first
+            if (status == 0) read (text(colon + 1:close - 1), *, iostat=status) entry%last
+            if (entry%last < entry%first) status = 1
+         end if
+         if (status /= 0 .or. entry%first < 1) return
          cursor%at = close + 1
          call skip_blanks(text, cursor)
          if (cursor%at > len(text)) return
@@ -261,6 +268,7 @@ contains
       if (text(cursor%at:cursor%at) /= '=') return
       next = cursor%at + 1
       line = cursor%line
+      entry%name = lower_case(text(at:last))
    end subroutine match_name
 
    !> The values up to the next name or the end of the group.
@@ -269,9 +277,8 @@ contains
       type(cursor_type), intent(inout) :: cursor
       type(entry_type), intent(inout) :: entry
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: name
-      integer, parameter :: most_values = 10000
-      integer :: next, line, subscript, star, repeat_count, i
+      type(entry_type) :: following
+      integer :: next, line, star, repeat_count, i
       logical :: after_comma
       type(value_type) :: value
 
@@ -295,7 +302,7 @@ contains
             if (allocated(error)) return
             call append_value(entry%values, value)
          case default
-            call match_name(text, cursor%at, cursor%line, name, subscript, next, line)
+            call match_name(text, cursor%at, cursor%line, following, next, line)
             if (next > 0) exit
             call parse_word(text, cursor, value)
             if (value%text == '') then
@@ -338,29 +345,30 @@ contains
       type(value_type), intent(out) :: value
       type(error_type), allocatable, intent(out) :: error
       character(len=1) :: mark
-      integer :: i, first, run
+      integer :: i, last, run, doubled
 
       mark = text(cursor%at:cursor%at)
-      value%text = ''
       value%quoted = .true.
       value%line = cursor%line
-      i = cursor%at + 1
-      first = i
+      doubled = 0
+      last = cursor%at
       do
-         run = scan(text(i:), mark//line_feed//carriage_return)
+         run = scan(text(last + 1:), mark//line_feed//carriage_return)
+         last = last + run
          if (run == 0) exit
-         i = i + run - 1
-         if (text(i:i) /= mark) exit
-         value%text = value%text//text(first:i - 1)
-         if (i < len(text)) then
-            if (text(i + 1:i + 1) == mark) then
-               value%text = value%text//mark
-               i = i + 2
-               first = i
-               cycle
-            end if
+         if (text(last:last) /= mark) exit
+         if (index(text(last + 1:min(last + 1, len(text))), mark) == 1) then
+            doubled = doubled + 1
+            last = last + 1
+            cycle
          end if
-         cursor%at = i + 1
+         allocate (character(len=last - cursor%at - 1 - doubled) :: value%text)
+         do i = 1, len(value%text)
+            cursor%at = cursor%at + 1
+            value%text(i:i) = text(cursor%at:cursor%at)
+            if (text(cursor%at:cursor%at) == mark) cursor%at = cursor%at + 1
+         end do
+         cursor%at = last + 1
          return
       end do
       call refuse(error, cursor, 'the text '//shown(text(cursor%at:line_end(text, cursor%at))) &

@@ -1,6 +1,6 @@
 !> The effects of a scene as the numerical part of the library takes them.
 module kyvadlo_scene_effects
-   use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type
+   use kyvadlo_effects, only: effects_type
    use kyvadlo_file_text, only: read_file
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
@@ -8,7 +8,7 @@ module kyvadlo_scene_effects
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_pivot_table, only: new_pivot_table
 #endif
-   use kyvadlo_scene_groups
+   use kyvadlo_scene_groups, only: moving_pivot_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: shown
@@ -16,7 +16,6 @@ module kyvadlo_scene_effects
    private
    public :: effects_of, get_table_path
 
-   real(wp), parameter :: degree = acos(-1.0_wp)/180
    character(len=*), parameter :: line_feed = achar(10)
 
 contains
@@ -27,25 +26,8 @@ contains
       type(effects_type), intent(out) :: effects
       type(error_type), allocatable, intent(out) :: error
 
-      associate (settings => simulation%settings)
-         effects%is_string = settings%given(string_group)
-         effects%restitution = settings%restitution
-         effects%density_ratio = settings%density_ratio
-         effects%added_mass = settings%added_mass
-         effects%linear_drag = settings%linear_drag
-         effects%quadratic_drag = settings%quadratic_drag
-         if (settings%diameter > 0) call air_coefficients(settings%diameter, settings%mass, settings%density, &
-            settings%viscosity, effects%linear_drag, effects%quadratic_drag)
-         effects%wind = settings%wind
-         if (settings%given(earth_rotation_group)) &
-            effects%turn_rate = earth_turn_rate(settings%latitude, settings%earth_rate)
-         effects%pivot_amplitude = settings%amplitude
-         effects%pivot_frequency = settings%frequency
-         effects%pivot_phase = settings%phase*degree
-         if (settings%given(elastic_group)) effects%stiffness = settings%stiffness/settings%elastic_mass
-         effects%extra_length = settings%extra_length
-         if (allocated(settings%table)) call read_table(simulation, effects, error)
-      end associate
+      effects = simulation%settings%effects
+      if (allocated(simulation%settings%table)) call read_table(simulation, effects, error)
    end subroutine effects_of
 
    !> The path of the pivot's table, counted from the folder of the scene; not allocated where there is none.

@@ -1,75 +1,121 @@
-!> The groups of a scene beside &pendulum: their names, what each value may be, and what holds without it.
+!> The words of a scene: groups, names, starts. One table of settings: reader, checks, messages, `kyvadlo simulate --list` and the
+!> tables of doc/scene_format.md come from it.
 module kyvadlo_scene_groups
+   use kyvadlo_start, only: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
+      start_energy_above_bottom, start_release, start_state
    implicit none
    private
-   public :: group_names, setting_type, settings, group_place, setting_place
-   public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_count, rule_text, &
-      rule_truth
-   public :: output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, wind_group, &
+   public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts
+   public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, rule_count, &
+      rule_text, rule_truth, rules
+   public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, wind_group, &
       earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group
+   public :: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, start_energy_above_bottom, &
+      start_release, start_state
 
    !> Places in `group_names`.
-   integer, parameter :: output_group = 1, rod_group = 2, string_group = 3, buoyancy_group = 4, turning_frame_group = 5, &
-      air_group = 6, wind_group = 7, earth_rotation_group = 8, moving_pivot_group = 9, elastic_group = 10, &
-      anisotropic_support_group = 11
+   integer, parameter :: pendulum_group = 1, output_group = 2, rod_group = 3, string_group = 4, buoyancy_group = 5, &
+      turning_frame_group = 6, air_group = 7, wind_group = 8, earth_rotation_group = 9, moving_pivot_group = 10, &
+      elastic_group = 11, anisotropic_support_group = 12
 
-   character(len=19), parameter :: group_names(11) = [character(len=19) :: 'output', 'rod', 'string', 'buoyancy', &
+   character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', 'buoyancy', &
       'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support']
+   !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
+   logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., .false., .false., &
+      .false., .false., .false., .false.]
 
-   integer, parameter :: rule_any = 1           !! Any finite number
-   integer, parameter :: rule_positive = 2
-   integer, parameter :: rule_not_negative = 3
-   integer, parameter :: rule_fraction = 4      !! 0 <= x <= 1
-   integer, parameter :: rule_part = 5          !! 0 <= x < 1
-   integer, parameter :: rule_latitude = 6      !! -90 <= x <= 90
-   integer, parameter :: rule_count = 7         !! A whole number, at least 2
-   integer, parameter :: rule_text = 8
-   integer, parameter :: rule_truth = 9         !! .true. or .false.
+   !> What a value may be: `name must RULE`.
+   integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &
+      rule_latitude = 6, rule_half_turn = 7, rule_count = 8, rule_text = 9, rule_truth = 10
+   character(len=38), parameter :: rules(*) = [character(len=38) :: 'be a finite number', 'be positive', 'not be negative', &
+      'lie between 0 and 1', 'be at least 0 and less than 1', 'lie between -90 and 90 degrees', &
+      'lie between -180 and 180 degrees', 'be a whole number from 2 to 4.5e15', 'be a text in quotation marks', &
+      'be .true. or .false.']
 
    !> A name of a group.
    type :: setting_type
       integer :: group                     !! Place in `group_names`
-      character(len=14) :: name
-      integer :: values                    !! How many it takes
+      character(len=19) :: name
+      integer :: values                    !! How many it takes: 1, or 3 for vectors
       integer :: rule                      !! One of the `rule_*` constants
-      logical :: is_required = .false.     !! By its group
+      character(len=6) :: unit
+      character(len=80) :: meaning
+      character(len=24) :: default         !! A number, or words; 'required' by its group
+      character(len=16) :: now = ''        !! The name that took its place
    end type setting_type
 
    type(setting_type), parameter :: settings(*) = [ &
-      setting_type(output_group, 'duration', 1, rule_positive), &
-      setting_type(output_group, 'samples', 1, rule_count), &
-      setting_type(output_group, 'quantities', 1, rule_text), &
-      setting_type(string_group, 'restitution', 1, rule_fraction), &
-      setting_type(buoyancy_group, 'density_ratio', 1, rule_part, .true.), &
-      setting_type(buoyancy_group, 'added_mass', 1, rule_not_negative), &
-      setting_type(turning_frame_group, 'rate', 1, rule_any, .true.), &
-      setting_type(air_group, 'linear', 1, rule_not_negative), &
-      setting_type(air_group, 'quadratic', 1, rule_not_negative), &
-      setting_type(air_group, 'diameter', 1, rule_positive), &
-      setting_type(air_group, 'mass', 1, rule_positive), &
-      setting_type(air_group, 'density', 1, rule_positive), &
-      setting_type(air_group, 'viscosity', 1, rule_positive), &
-      setting_type(wind_group, 'velocity', 3, rule_any, .true.), &
-      setting_type(earth_rotation_group, 'latitude', 1, rule_latitude, .true.), &
-      setting_type(earth_rotation_group, 'rate', 1, rule_any), &
-      setting_type(moving_pivot_group, 'amplitude', 3, rule_any), &
-      setting_type(moving_pivot_group, 'frequency', 3, rule_not_negative), &
-      setting_type(moving_pivot_group, 'phase', 3, rule_any), &
-      setting_type(moving_pivot_group, 'table', 1, rule_text), &
-      setting_type(moving_pivot_group, 'relative', 1, rule_truth), &
-      setting_type(elastic_group, 'stiffness', 1, rule_positive, .true.), &
-      setting_type(elastic_group, 'mass', 1, rule_positive, .true.), &
-      setting_type(anisotropic_support_group, 'extra_length_x', 1, rule_not_negative), &
-      setting_type(anisotropic_support_group, 'extra_length_y', 1, rule_not_negative)]
+      setting_type(pendulum_group, 'name', 1, rule_text, '', 'title in tables', '`pendulum N`'), &
+      setting_type(pendulum_group, 'length', 1, rule_positive, 'm', 'radius l of the sphere, positive', 'required'), &
+      setting_type(pendulum_group, 'gravity', 1, rule_positive, 'm/s2', 'g, positive', '9.80665'), & ! CGPM 1901
+      setting_type(pendulum_group, 'z_upper', 1, rule_any, 'm', 'z1', ''), &
+      setting_type(pendulum_group, 'z_lower', 1, rule_any, 'm', 'z2', ''), &
+      setting_type(pendulum_group, 'top_gap', 1, rule_any, 'm', 'l - z1', ''), &
+      setting_type(pendulum_group, 'bottom_gap', 1, rule_any, 'm', 'l + z2', ''), &
+      setting_type(pendulum_group, 'upper_rise', 1, rule_any, 'm', 'l + z1', ''), &
+      setting_type(pendulum_group, 'lower_rise', 1, rule_any, 'm', 'l + z2', ''), &
+      setting_type(pendulum_group, 'energy', 1, rule_any, 'm2/s2', 'c1', ''), &
+      setting_type(pendulum_group, 'momentum', 1, rule_any, 'm2/s', 'c2', ''), &
+      setting_type(pendulum_group, 'energy_above_top', 1, rule_any, 'm2/s2', 'c1 - g l', ''), &
+      setting_type(pendulum_group, 'energy_above_bottom', 1, rule_any, 'm2/s2', 'c1 + g l', ''), &
+      setting_type(pendulum_group, 'release_angle', 1, rule_half_turn, 'deg', 'from the downward vertical, towards x', ''), &
+      setting_type(pendulum_group, 'release_speed', 1, rule_any, 'm/s', 'horizontal, across', '0'), &
+      setting_type(pendulum_group, 'position', 3, rule_any, 'm', 'x, y, z', ''), &
+      setting_type(pendulum_group, 'velocity', 3, rule_any, 'm/s', 'the rates of x, y, z', ''), &
+      setting_type(output_group, 'duration', 1, rule_positive, 's', 'of the simulation, positive', 'one period'), &
+      setting_type(output_group, 'samples', 1, rule_count, '', 'a whole number, at least 2; both ends count', '201'), &
+      setting_type(output_group, 'quantities', 1, rule_text, '', &
+      'words of the next table, separated by blanks or commas, in quotation marks', '`''position velocity''`'), &
+      setting_type(string_group, 'restitution', 1, rule_fraction, '', &
+      'radial speed after over before the re-tension, 0 to 1; 0: all is lost', '0'), &
+      setting_type(buoyancy_group, 'density_ratio', 1, rule_part, '', &
+      'r: density of the fluid over that of the bob, at least 0, less than 1', 'required'), &
+      setting_type(buoyancy_group, 'added_mass', 1, rule_not_negative, '', &
+      'a: mass of the fluid that moves along, over that displaced (1/2 for a sphere)', '0'), &
+      setting_type(turning_frame_group, 'rate', 1, rule_any, 'rad/s', &
+      'of the frame about the vertical, counted as the azimuth', 'required'), &
+      setting_type(air_group, 'linear', 1, rule_not_negative, '1/s', 'drag force over mass and speed, not negative', '0'), &
+      setting_type(air_group, 'quadratic', 1, rule_not_negative, '1/m', &
+      'drag force over mass and square of the speed, not negative', '0'), &
+      setting_type(air_group, 'diameter', 1, rule_positive, 'm', 'of a spherical bob, instead of the two above', ''), &
+      setting_type(air_group, 'mass', 1, rule_positive, 'kg', 'of the spherical bob', ''), &
+   ! At 20 degrees Celsius and 101325 Pa: ISO 2533 gives 1.225 and 1.789e-5 at 15 degrees, ideal gas and Sutherland's law these.
+      setting_type(air_group, 'density', 1, rule_positive, 'kg/m3', 'of the air around it (20 degrees Celsius)', '1.204'), &
+      setting_type(air_group, 'viscosity', 1, rule_positive, 'Pa s', 'of the air around it', '1.813e-5'), &
+      setting_type(wind_group, 'velocity', 3, rule_any, 'm/s', 'of the air, steady', 'required'), &
+      setting_type(earth_rotation_group, 'latitude', 1, rule_latitude, 'deg', '-90 to 90, north positive', 'required'), &
+      setting_type(earth_rotation_group, 'rate', 1, rule_any, 'rad/s', 'of the Earth about its axis', '7.292115e-5'), & ! IERS
+      setting_type(moving_pivot_group, 'amplitude', 3, rule_any, 'm', 'along x, y, z', ''), &
+      setting_type(moving_pivot_group, 'frequency', 3, rule_not_negative, 'Hz', 'along x, y, z, not negative', ''), &
+      setting_type(moving_pivot_group, 'phase', 3, rule_any, 'deg', 'along x, y, z', '0'), &
+      setting_type(moving_pivot_group, 'table', 1, rule_text, '', 'a file of times and displacements instead', ''), &
+      setting_type(moving_pivot_group, 'relative', 1, rule_truth, '', &
+      '`.true.`: places and velocities relative to the pivot', '`.false.`'), &
+      setting_type(elastic_group, 'stiffness', 1, rule_positive, 'N/m', &
+      'of the rod, or of the string with `&string`, positive', 'required'), &
+      setting_type(elastic_group, 'mass', 1, rule_positive, 'kg', 'of the bob, positive', 'required'), &
+      setting_type(anisotropic_support_group, 'extra_length_x', 1, rule_not_negative, 'm', &
+      'by how much longer the pendulum is when it swings along x, not negative', '0'), &
+      setting_type(anisotropic_support_group, 'extra_length_y', 1, rule_not_negative, 'm', 'the same along y', '0')]
+
+   !> A start is given by two names.
+   type :: start_type
+      character(len=19) :: first, second
+      integer :: values = 1              !! Values of each name: 1, or 3 for vectors
+   end type start_type
+
+   !> By the numbers `start_*` of the core.
+   type(start_type), parameter :: starts(8) = [ &
+      start_type('z_upper', 'z_lower'), &
+      start_type('top_gap', 'bottom_gap'), &
+      start_type('upper_rise', 'lower_rise'), &
+      start_type('energy', 'momentum'), &
+      start_type('energy_above_top', 'momentum'), &
+      start_type('energy_above_bottom', 'momentum'), &
+      start_type('release_angle', 'release_speed'), &
+      start_type('position', 'velocity', 3)]
 
 contains
-
-   !> Place in `group_names`, or 0.
-   pure integer function group_place(name) result(place)
-      character(len=*), intent(in) :: name
-
-      place = findloc(group_names == name, .true., 1)
-   end function group_place
 
    !> Place in `settings`, or 0.
    pure integer function setting_place(group, name) result(place)

@@ -2,13 +2,11 @@
 module kyvadlo_simulation
    use kyvadlo_file_text, only: file_name, read_file
    use kyvadlo_namelist_file, only: group_type, parse_groups, place_of
-   use kyvadlo_pendulum_choice, only: find_pendulum
    use kyvadlo_scene, only: pendulum_type
-   use kyvadlo_scene_reader, only: pendulums_from_groups
+   use kyvadlo_scene_reader, only: choose_pendulum, pendulums_from_groups
    use kyvadlo_scene_settings, only: settings_type
    use kyvadlo_scene_settings_reader, only: settings_from_groups
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: text_type
    implicit none
    private
    public :: simulation_type, read_simulation, parse_simulation
@@ -23,30 +21,28 @@ module kyvadlo_simulation
 contains
 
    !> Reads a scene. Errors (`code_file`, `code_input`): those of `read_scene` and of the groups beside &pendulum; more than one
-   !> pendulum, and none chosen.
-   subroutine read_simulation(path, simulation, error, wanted)
+   !> pendulum.
+   subroutine read_simulation(path, simulation, error, pendulum)
       character(len=*), intent(in) :: path                  !! `-`: standard input
       type(simulation_type), intent(out) :: simulation
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), intent(in), optional :: wanted      !! Name or number of the pendulum
+      character(len=*), intent(in), optional :: pendulum    !! Its name or number
       character(len=:), allocatable :: text
 
       call read_file(path, text, error)
-      if (.not. allocated(error)) call parse_simulation(text, file_name(path), simulation, error, wanted)
+      if (.not. allocated(error)) call parse_simulation(text, file_name(path), simulation, error, pendulum)
       simulation%folder = path(:index(path, '/', back=.true.))
    end subroutine read_simulation
 
    !> The scene in a text.
-   pure subroutine parse_simulation(text, file, simulation, error, wanted)
+   pure subroutine parse_simulation(text, file, simulation, error, pendulum)
       character(len=*), intent(in) :: text
       character(len=*), intent(in) :: file                  !! Name for messages
       type(simulation_type), intent(out) :: simulation
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), intent(in), optional :: wanted      !! Name or number of the pendulum
+      character(len=*), intent(in), optional :: pendulum    !! Its name or number
       type(group_type), allocatable :: groups(:)
       type(pendulum_type), allocatable :: pendulums(:)
-      type(text_type), allocatable :: names(:)
-      integer :: i
 
       simulation%text = text
       simulation%folder = ''
@@ -56,20 +52,12 @@ contains
       if (allocated(error)) return
       call pendulums_from_groups(groups, file, pendulums, error)
       if (allocated(error)) return
-      i = 1
-      if (present(wanted)) then
-         allocate (names(size(pendulums)))
-         do i = 1, size(pendulums)
-            names(i)%text = pendulums(i)%name
-         end do
-         call find_pendulum(names, wanted, i, error)
-         if (allocated(error)) return
+      if (present(pendulum)) then
+         call choose_pendulum(pendulums, pendulum, error)
       else if (size(pendulums) > 1) then
-         call fail(error, code_input, place_of(file, pendulums(2)%line) &
-            //'a second &pendulum; a scene to simulate has one (or choose it by --pendulum)')
-         return
+         call fail(error, code_input, place_of(file, pendulums(2)%line)//'a second &pendulum; choose it by --pendulum')
       end if
-      simulation%pendulum = pendulums(i)
+      if (.not. allocated(error)) simulation%pendulum = pendulums(1)
    end subroutine parse_simulation
 
 end module kyvadlo_simulation

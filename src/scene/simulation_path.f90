@@ -10,10 +10,9 @@ module kyvadlo_simulation_path
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_sample_times, only: rounded_off
-   use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
-   use kyvadlo_scene_orbit, only: pendulum_orbit
+   use kyvadlo_scene_orbit, only: numbers_of, numbers_type, pendulum_orbit
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_number_text, only: digits_text, shortest_text
    use kyvadlo_numbers, only: is_finite
@@ -62,9 +61,6 @@ module kyvadlo_simulation_path
       real(wp) :: velocity = 0, velocity_time = 0      !! [m/s], and when [s]
    end type check_type
 
-   !> Groups without a closed form, unless all their coefficients are zero.
-   integer, parameter :: integrated(6) = [air_group, wind_group, earth_rotation_group, moving_pivot_group, elastic_group, &
-      anisotropic_support_group]
    !> Without an accuracy asked for: some ten steps a swing, and 1e-10 of the length after a hundred of them.
    real(wp), parameter :: default_tolerance = 1e-12_wp
    !> Steps of an integration without another bound: some ten seconds to a minute.
@@ -90,32 +86,35 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
       real(wp), intent(in), optional :: most_steps     !! Of an integration (default 1e7)
-      type(pendulum_type) :: pendulum
+      type(numbers_type) :: numbers
       logical :: has_orbit
 
       associate (settings => simulation%settings)
-         pendulum = simulation%pendulum
-         pendulum%gravity = effective_gravity(pendulum%gravity, settings%density_ratio, settings%added_mass)
-         path%gravity_rest = effective_gravity_rest(simulation%pendulum%gravity, settings%density_ratio, settings%added_mass)
-         path%length = pendulum%length
-         path%gravity = simulation%pendulum%gravity
+         call numbers_of(simulation%pendulum, numbers, error)
+         if (allocated(error)) return
+         path%length = numbers%length
+         path%gravity = numbers%gravity
+         numbers%gravity = effective_gravity(path%gravity, settings%effects%density_ratio, settings%effects%added_mass)
+         path%gravity_rest = effective_gravity_rest(path%gravity, settings%effects%density_ratio, &
+            settings%effects%added_mass)
+         numbers%gravity_rest = path%gravity_rest
          path%tolerance = default_tolerance
          if (present(accuracy)) path%tolerance = accuracy
          path%most_steps = default_most_steps
          if (present(most_steps)) path%most_steps = most_steps
-         path%inertia = effective_inertia(settings%density_ratio, settings%added_mass)
+         path%inertia = effective_inertia(settings%effects%density_ratio, settings%effects%added_mass)
          call effects_of(simulation, path%effects, error)
-         if (.not. allocated(error)) call find_start(simulation, pendulum, path, has_orbit, error)
+         if (.not. allocated(error)) call find_start(simulation, numbers, path, has_orbit, error)
          if (.not. allocated(error)) call check_table(simulation, path, error)
          if (allocated(error)) return
          if (any_effect(path%effects)) then
             call choose_integration(simulation, path, error)
          else if (.not. has_orbit) then
             path%reason = '&string is slack at the start'
-            call follow_string(simulation, pendulum, path, present(accuracy), error)
+            call follow_string(simulation, numbers, path, present(accuracy), error)
          else if (settings%given(string_group) .and. lowest_tension(path%orbit) < 0) then
             path%reason = '&string goes slack: its tension would be negative at the upper turning height'
-            call follow_string(simulation, pendulum, path, present(accuracy), error)
+            call follow_string(simulation, numbers, path, present(accuracy), error)
          else if (path%orbit%motion == motion_rest .or. path%orbit%motion == motion_upright) then
             path%path = path_constant
             path%method = 'the start, repeated'
@@ -128,10 +127,10 @@ contains
             if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))//': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
             if (present(accuracy)) then
-               call plan_accuracy(simulation, pendulum, accuracy, .true., path, error)
+               call plan_accuracy(simulation, numbers, accuracy, .true., path, error)
             else if (path%duration > path%orbit%time_limit()) then
                ! Double precision cannot tell the phase to the end.
-               call plan_accuracy(simulation, pendulum, phase_accuracy, .false., path, error)
+               call plan_accuracy(simulation, numbers, phase_accuracy, .false., path, error)
             end if
          end if
       end associate
@@ -139,9 +138,9 @@ contains
 
    !> Where the bob starts: on an orbit, or where only a string that is slack or a suspension of another form lets it be. The
    !> duration too, which is a period without one.
-   subroutine find_start(simulation, pendulum, path, has_orbit, error)
+   subroutine find_start(simulation, numbers, path, has_orbit, error)
       type(simulation_type), intent(in) :: simulation
-      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
+      type(numbers_type), intent(in) :: numbers              !! Under the effective gravity
       type(path_type), intent(inout) :: path
       logical, intent(out) :: has_orbit
       type(error_type), allocatable, intent(out) :: error
@@ -151,18 +150,18 @@ contains
       real(wp) :: slack, displacement(3), velocity(3)
 
       associate (effects => path%effects, settings => simulation%settings)
-         call pendulum_orbit(pendulum, path%orbit, no_orbit, path%gravity_rest)
+         call pendulum_orbit(simulation%pendulum, numbers, path%orbit, no_orbit)
          has_orbit = .not. allocated(no_orbit)
          if (has_orbit) call path%orbit%locate(0.0_wp, path%position, path%velocity)
          is_free = .false.
-         if (pendulum%start == start_state) then
+         if (simulation%pendulum%start == start_state) then
             is_free = effects%stiffness > 0 .or. any(effects%extra_length > 0)
-            if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, pendulum%first, pendulum%second)
+            if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, numbers%first, numbers%second)
          end if
          if (is_free) then
             has_orbit = .false.
-            path%position = pendulum%first
-            path%velocity = pendulum%second
+            path%position = numbers%first
+            path%velocity = numbers%second
          else if (.not. has_orbit) then
             call move_alloc(no_orbit, error)
             return
@@ -171,17 +170,17 @@ contains
          path%duration_rest = rounded_off(settings%duration_typed, settings%duration)
          path%duration_typed = settings%duration_typed
          if (.not. path%duration > 0) then
-            path%duration = 2*pi*sqrt(pendulum%length/pendulum%gravity)
+            path%duration = 2*pi*sqrt(numbers%length/numbers%gravity)
             if (path%orbit%motion /= motion_none) path%duration = default_duration(path%orbit)
          end if
          if (.not. any_effect(effects)) then
             call pivot_motion(effects, 0.0_wp, displacement, velocity)
-            path%pivot_energy = effective_weight(path%gravity, settings%density_ratio)*displacement(3)
+            path%pivot_energy = effective_weight(path%gravity, settings%effects%density_ratio)*displacement(3)
          end if
          if (.not. is_free .and. .not. any(effects%extra_length > 0)) return
          call new_forces(forces, effects, path%length, path%gravity, error)
          if (.not. allocated(error)) call begin_motion(forces, path%position, path%velocity, is_taut, slack, error)
-         if (allocated(error)) error%message = place_of(pendulum%file, pendulum%start_line)//'&pendulum: '//error%message
+         if (allocated(error)) error%message = place_of(settings%file, simulation%pendulum%start_line)//'&pendulum: '//error%message
       end associate
    end subroutine find_start
 
@@ -196,7 +195,8 @@ contains
 
       associate (settings => simulation%settings)
          if (.not. with_gsl) then
-            call fail(error, code_unsupported, place_of(settings%file, maxval(settings%line(integrated))) &
+            call fail(error, code_unsupported, &
+               place_of(settings%file, maxval(settings%line, settings%given .and. .not. has_closed_form)) &
                //'this build has no integrator (CMake option KYVADLO_WITH_GSL) for '//integrated_groups(simulation))
             return
          end if
@@ -228,9 +228,9 @@ contains
    end function step_words
 
    !> Swings and flights, event by event.
-   subroutine follow_string(simulation, pendulum, path, has_accuracy, error)
+   subroutine follow_string(simulation, numbers, path, has_accuracy, error)
       type(simulation_type), intent(in) :: simulation
-      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
+      type(numbers_type), intent(in) :: numbers              !! Under the effective gravity
       type(path_type), intent(inout) :: path
       logical, intent(in) :: has_accuracy
       type(error_type), allocatable, intent(out) :: error
@@ -245,10 +245,10 @@ contains
                //'precision')
             return
          end if
-         call new_string_motion(path%string, pendulum%length, pendulum%gravity, path%position, path%velocity, &
-            settings%restitution, path%duration, error, path%gravity_rest)
+         call new_string_motion(path%string, numbers%length, numbers%gravity, path%position, path%velocity, &
+            settings%effects%restitution, path%duration, error, path%gravity_rest)
          if (allocated(error)) then
-            error%message = place_of(pendulum%file, pendulum%start_line)//'&pendulum: '//error%message
+            error%message = place_of(settings%file, simulation%pendulum%start_line)//'&pendulum: '//error%message
             return
          end if
          if (.not. path%string%is_complete) call fail(error, code_unsupported, place_of(settings%file, &
@@ -277,28 +277,28 @@ contains
    end subroutine check_table
 
    !> The cheapest evaluation that keeps an accuracy of the places throughout.
-   subroutine plan_accuracy(simulation, pendulum, accuracy, is_asked, path, error)
+   subroutine plan_accuracy(simulation, numbers, accuracy, is_asked, path, error)
       type(simulation_type), intent(in) :: simulation
-      type(pendulum_type), intent(in) :: pendulum            !! Under the effective gravity
+      type(numbers_type), intent(in) :: numbers              !! Under the effective gravity
       real(wp), intent(in) :: accuracy
       logical, intent(in) :: is_asked                        !! By the user; else because of the duration
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
-      integer :: values
 
       if (accuracy < accuracy_finest_quad) then
          call fail(error, code_input, 'option --accuracy must be at least '//trim(digits_text(accuracy_finest_quad, 2)) &
             //' for a scene in closed form, got '//digits_text(accuracy, 2))
          return
       end if
-      values = merge(3, 1, pendulum%start == start_state)
       allocate (path%plan)
-      call new_orbit_to_accuracy(path%plan, pendulum%start, pendulum%length, pendulum%gravity, pendulum%first(:values), &
-         pendulum%second(:values), accuracy, path%duration, error, path%gravity_rest)
+      associate (pendulum => simulation%pendulum)
+         call new_orbit_to_accuracy(path%plan, pendulum%start, numbers%length, numbers%gravity, &
+            numbers%first(:pendulum%values), numbers%second(:pendulum%values), accuracy, path%duration, error, path%gravity_rest)
+      end associate
       if (.not. allocated(error) .and. lost_phase(path) > max(accuracy, finest_of_parts)) &
          call fail(error, code_unsupported, '')
       if (allocated(error)) then
-         error%message = place_of(pendulum%file, max(simulation%settings%line(output_group), 1))//'&output: over ' &
+         error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))//'&output: over ' &
             //trim(digits_text(path%duration, 6))//' s '
          if (is_asked) then
             error%message = error%message//'an accuracy of '//trim(digits_text(accuracy, 2)) &
@@ -324,13 +324,12 @@ contains
    !> The groups without a closed form, in words, blanks behind.
    pure function integrated_groups(simulation) result(words)
       type(simulation_type), intent(in) :: simulation
-      character(len=size(integrated)*(len(group_names) + 3)) :: words
+      character(len=size(group_names)*(len(group_names) + 3)) :: words
       integer :: i
 
       words = ''
-      do i = 1, size(integrated)
-         if (.not. simulation%settings%given(integrated(i))) cycle
-         words = trim(words)//', &'//group_names(integrated(i))
+      do i = 1, size(group_names)
+         if (simulation%settings%given(i) .and. .not. has_closed_form(i)) words = trim(words)//', &'//group_names(i)
       end do
       words = words(3:)
    end function integrated_groups

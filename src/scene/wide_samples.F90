@@ -73,8 +73,8 @@ contains
       call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
       associate (orbit => path%plan%wide, column => block%column, settings => simulation%settings, &
          t => real(block%values(:block%count, 1), qp))
-         inertia = 1 + real(settings%added_mass, qp)*settings%density_ratio
-         weight = real(path%gravity, qp)*(1 - real(settings%density_ratio, qp))
+         inertia = 1 + real(settings%effects%added_mass, qp)*settings%effects%density_ratio
+         weight = real(path%gravity, qp)*(1 - real(settings%effects%density_ratio, qp))
          if (column(quantity_energy) > 0) wide(:, column(quantity_energy)) = inertia*orbit%energy() &
             + weight*displacement(3)
          if (column(quantity_momentum) > 0) wide(:, column(quantity_momentum)) = orbit%momentum()

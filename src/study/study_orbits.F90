@@ -4,7 +4,7 @@ module kyvadlo_study_orbits
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
    use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_status, only: fail
-   use kyvadlo_scene, only: pendulum_type_real128
+   use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_study_set_up, only: set_up_orbit, study_start_type
    implicit none
@@ -61,7 +61,7 @@ contains
    !> The orbit of a pendulum of a scene, from an upper turning point on; its gaps are rounded to double precision
    !> first. An orbit without a period, or whose gaps do not determine it, is refused.
    subroutine orbit_from_pendulum(pendulum, study_orbit, error)
-      type(pendulum_type_real128), intent(in) :: pendulum
+      type(pendulum_type), intent(in) :: pendulum
       type(study_orbit_type), intent(out) :: study_orbit
       type(error_type), allocatable, intent(out) :: error
       type(orbit_type_real128) :: exact
@@ -79,8 +79,8 @@ contains
       end if
       study_orbit%is_built_in = .false.
       associate (start => study_orbit%start)
-         start%length = real(pendulum%length, real64)
-         start%gravity = real(pendulum%gravity, real64)
+         start%length = real(exact%length, real64)
+         start%gravity = real(exact%gravity, real64)
          start%by_rises = exact%turning%upper_rise < exact%length
          start%first = real(merge(exact%turning%upper_rise, exact%turning%top_gap, start%by_rises), real64)
          start%second = real(exact%turning%lower_rise, real64)

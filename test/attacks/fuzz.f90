@@ -9,7 +9,7 @@ program attacks_fuzz
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit, real32, real64
    use kyvadlo_command_line, only: arguments_type, sort_words
    use kyvadlo_eval, only: answer_request
-   use kyvadlo_scene_real64, only: pendulum_type
+   use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_reader, only: parse_scene
    use kyvadlo_simulation, only: parse_simulation, simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type

@@ -186,7 +186,7 @@ fails 2 "option --upper must be A:B:N, got '0:x:3' (not a number)" table --upper
 fails 2 "option --upper must be A:B:N, got '0:1:0' (N must be" table --upper 0:1:0 --lower 0
 fails 2 "option --upper must be A:B:N, got '0:1:1' (N = 1 needs A = B)" table --upper 0:1:1 --lower 0
 fails 2 "option --upper must be A:B:N, got '0:1:-3'" table --upper 0:1:-3 --lower 0
-fails 2 'option --length must be positive, got -1e+00' table --upper 0 --lower -1 --length -1
+fails 2 'option --length must be positive, got -1' table --upper 0 --lower -1 --length -1
 fails 2 "option --gravity must be a number, got 'earth'" table --upper 0 --lower -1 --gravity earth
 
 # Wrong options.
@@ -214,7 +214,7 @@ bad 'bad.nml:2: &pendulum: length given twice, first on line 1' '&pendulum lengt
 bad 'bad.nml:1: &pendulum: no start' '&pendulum length=1 /'
 bad 'bad.nml:1: &pendulum: two starts: z_upper, z_lower and top_gap, bottom_gap' \
    '&pendulum length=1 z_upper=0 z_lower=-1 top_gap=1 bottom_gap=0/'
-bad 'bad.nml:2: &pendulum: length must be positive, got -1e+00' '&pendulum\nlength=-1 z_upper=0 z_lower=-1/'
+bad 'bad.nml:2: &pendulum: length must be positive, got -1' '&pendulum\nlength=-1 z_upper=0 z_lower=-1/'
 bad "bad.nml:1: &pendulum: length must be a finite number, got 'Infinity'" '&pendulum length=Infinity z_upper=0 z_lower=-1/'
 bad "bad.nml:1: &pendulum: z_upper must be a finite number, got '1e400' (too large for the double kind)" \
    '&pendulum length=1 z_upper=1e400 z_lower=-1/'

@@ -1,0 +1,21 @@
+!> A pendulum as a scene describes it: its numbers are texts until an orbit is made of them, in whatever kind.
+module kyvadlo_scene
+   use kyvadlo_text, only: text_type
+   implicit none
+   private
+   public :: pendulum_type
+
+   !> One &pendulum group: plain data, SI units.
+   type :: pendulum_type
+      character(len=:), allocatable :: name      !! Title; `pendulum N` if the scene gives none
+      character(len=:), allocatable :: file      !! Where it was read, for messages
+      integer :: line = 0                        !! Of the group
+      integer :: length_line = 0, gravity_line = 0, start_line = 0
+      type(text_type) :: length                  !! l [m]
+      type(text_type) :: gravity                 !! g [m/s2]
+      integer :: start = 0                       !! One of the `start_*` places
+      integer :: values = 0                      !! Of each name of the start: 1 or 3
+      type(text_type) :: first(3), second(3)     !! Values of the two names of the start; scalars in element 1
+   end type pendulum_type
+
+end module kyvadlo_scene

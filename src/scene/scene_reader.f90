@@ -1,0 +1,237 @@
+!> How a scene file becomes pendulums.
+module kyvadlo_scene_reader
+   use kyvadlo_group_values, only: read_group, refuse
+   use kyvadlo_namelist_file, only: group_type, parse_groups, place_of, read_groups
+   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene_groups
+   use kyvadlo_scene_settings, only: settings_type, value_of_name_type
+   use kyvadlo_scene_settings_reader, only: settings_from_groups
+   use kyvadlo_status, only: code_input, error_type, fail
+   use kyvadlo_text, only: integer_text, shown, text_type
+   implicit none
+   private
+   public :: read_scene, parse_scene, pendulums_from_groups, choose_pendulum
+
+contains
+
+   !> Reads the pendulums of a scene file.
+   !>
+   !> Errors (`code_file`, `code_input`): the file cannot be read, is empty or binary; syntax; unknown group or name; a name
+   !> given twice; a start that is missing, incomplete or given in two ways; a value that is no finite number; an effect, which
+   !> only `simulate` computes, unless a note is asked for. Each names file, line, rule and value.
+   subroutine read_scene(path, pendulums, error, note)
+      character(len=*), intent(in) :: path                       !! `-`: standard input
+      type(pendulum_type), allocatable, intent(out) :: pendulums(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), intent(out), optional :: note             !! Allocated where the pendulums are without an effect
+      type(group_type), allocatable :: groups(:)
+
+      call read_groups(path, groups, error)
+      if (.not. allocated(error)) call scene_from_groups(groups, path, pendulums, error, note)
+      if (.not. allocated(pendulums)) allocate (pendulums(0))
+   end subroutine read_scene
+
+   !> The pendulums of a text in the form of a scene file.
+   pure subroutine parse_scene(text, file, pendulums, error, note)
+      character(len=*), intent(in) :: text
+      character(len=*), intent(in) :: file                       !! Name for messages
+      type(pendulum_type), allocatable, intent(out) :: pendulums(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), intent(out), optional :: note
+      type(group_type), allocatable :: groups(:)
+
+      call parse_groups(text, file, groups, error)
+      if (.not. allocated(error)) call scene_from_groups(groups, file, pendulums, error, note)
+      if (.not. allocated(pendulums)) allocate (pendulums(0))
+   end subroutine parse_scene
+
+   !> Only what a pendulum without effects is: &output and &rod change nothing about it.
+   pure subroutine scene_from_groups(groups, file, pendulums, error, note)
+      type(group_type), intent(in) :: groups(:)
+      character(len=*), intent(in) :: file
+      type(pendulum_type), allocatable, intent(out) :: pendulums(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(text_type), intent(out), optional :: note
+      type(settings_type) :: settings
+      character(len=:), allocatable :: what
+      integer :: i
+
+      call settings_from_groups(groups, file, settings, error)
+      if (.not. allocated(error)) call pendulums_from_groups(groups, file, pendulums, error)
+      if (allocated(error)) return
+      do i = 1, size(group_names)
+         ! The length of the orbit is that of a rod, which is what the tables show anyway.
+         if (.not. settings%given(i) .or. i == output_group .or. i == rod_group) cycle
+         what = place_of(file, settings%line(i))//'&'//trim(group_names(i))//' is computed by kyvadlo simulate'
+         if (present(note)) then
+            note%text = what//'; here is the motion without it'
+         else
+            call fail(error, code_input, what)
+         end if
+         return
+      end do
+   end subroutine scene_from_groups
+
+   !> The pendulums among the groups; the others are left alone. Error: there is none.
+   pure subroutine pendulums_from_groups(groups, file, pendulums, error)
+      type(group_type), intent(in) :: groups(:)
+      character(len=*), intent(in) :: file
+      type(pendulum_type), allocatable, intent(out) :: pendulums(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, count
+
+      count = 0
+      do i = 1, size(groups)
+         if (groups(i)%name == 'pendulum') count = count + 1
+      end do
+      allocate (pendulums(count))
+      count = 0
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'pendulum') cycle
+         count = count + 1
+         call pendulum_from_group(groups(i), pendulums(count), error)
+         if (allocated(error)) return
+         if (pendulums(count)%name == '') pendulums(count)%name = 'pendulum '//integer_text(count)
+      end do
+      if (count == 0) call fail(error, code_input, file//': no &pendulum group')
+   end subroutine pendulums_from_groups
+
+   !> Leaves only the pendulum of that name, or of that number if none has that name. Error: there is none, or there are several.
+   pure subroutine choose_pendulum(pendulums, choice, error)
+      type(pendulum_type), allocatable, intent(inout) :: pendulums(:)
+      character(len=*), intent(in) :: choice
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, found, count, status
+
+      found = 0
+      count = 0
+      do i = 1, size(pendulums)
+         if (pendulums(i)%name /= choice) cycle
+         found = i
+         count = count + 1
+      end do
+      if (count == 0 .and. choice /= '' .and. len(choice) < 10 .and. verify(choice, '0123456789') == 0) then
+         read (choice, '(i9)', iostat=status) found
+         if (status == 0 .and. found >= 1 .and. found <= size(pendulums)) count = 1
+      end if
+      if (count == 1) then
+         pendulums = pendulums(found:found)
+      else
+         call fail(error, code_input, 'option --pendulum: '//trim(merge('none is named    ', 'several are named', count == 0)) &
+            //" '"//shown(choice)//"'; give another name, or a number from 1 to "//integer_text(size(pendulums)))
+      end if
+   end subroutine choose_pendulum
+
+   !> Takes the values of a group and finds its start.
+   pure subroutine pendulum_from_group(group, pendulum, error)
+      type(group_type), intent(in) :: group
+      type(pendulum_type), intent(out) :: pendulum
+      type(error_type), allocatable, intent(out) :: error
+      type(value_of_name_type) :: values(size(settings))
+      integer :: i, line
+
+      pendulum%file = group%file
+      pendulum%line = group%line
+      call read_group(group, pendulum_group, values, error)
+      if (allocated(error)) return
+      pendulum%name = ''
+      i = setting_place(pendulum_group, 'name')
+      if (values(i)%line(1) > 0) pendulum%name = trim(values(i)%text(1)%text)
+      call take('length', pendulum%length, pendulum%length_line)
+      call take('gravity', pendulum%gravity, pendulum%gravity_line)
+      call choose_start(group, values, pendulum%start, error)
+      if (allocated(error)) return
+      pendulum%values = starts(pendulum%start)%values
+      do i = 1, pendulum%values
+         call take(starts(pendulum%start)%second, pendulum%second(i), line, i)
+         call take(starts(pendulum%start)%first, pendulum%first(i), pendulum%start_line, i)
+      end do
+
+   contains
+
+      !> A number as it was written, or the default.
+      pure subroutine take(name, text, line, element)
+         character(len=*), intent(in) :: name
+         type(text_type), intent(out) :: text
+         integer, intent(out) :: line
+         integer, intent(in), optional :: element
+         integer :: place, j
+
+         j = 1
+         if (present(element)) j = element
+         place = setting_place(pendulum_group, name)
+         line = values(place)%line(j)
+         if (line > 0) then
+            text = values(place)%text(j)
+         else
+            text%text = trim(settings(place)%default)
+         end if
+      end subroutine take
+   end subroutine pendulum_from_group
+
+   !> Finds the one start whose names the group gives.
+   pure subroutine choose_start(group, values, start, error)
+      type(group_type), intent(in) :: group
+      type(value_of_name_type), intent(in) :: values(size(settings))
+      integer, intent(out) :: start               !! Place in `starts`
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, j, momentum
+
+      start = 0
+      do i = 1, size(group%entries)
+         do j = 1, size(starts)
+            ! `momentum` belongs to three starts: the other name tells which.
+            if (starts(j)%first == group%entries(i)%name .or. starts(j)%second == group%entries(i)%name &
+               .and. starts(j)%second /= 'momentum') then
+               if (start /= 0 .and. start /= j) then
+                  call refuse(error, group, group%entries(i)%line, &
+                     'two starts: '//pair(start)//' and '//pair(j)//'; give exactly one')
+                  return
+               end if
+               start = j
+            end if
+         end do
+      end do
+      momentum = line_of('momentum')
+      if (start == 0) then
+         if (momentum > 0) then
+            call refuse(error, group, group%line, 'momentum without energy, energy_above_top or energy_above_bottom')
+         else
+            call refuse(error, group, group%line, 'no start; give exactly one of '//all_starts())
+         end if
+      else if (line_of(starts(start)%first) == 0) then
+         call refuse(error, group, group%line, trim(starts(start)%second)//' without '//trim(starts(start)%first))
+      else if (line_of(starts(start)%second) == 0 .and. start /= start_release) then
+         call refuse(error, group, group%line, trim(starts(start)%first)//' without '//trim(starts(start)%second))
+      else if (starts(start)%second /= 'momentum' .and. momentum > 0) then
+         call refuse(error, group, momentum, 'two starts: '//pair(start)//' and momentum; give exactly one')
+      end if
+
+   contains
+
+      pure integer function line_of(name)
+         character(len=*), intent(in) :: name
+
+         line_of = values(setting_place(pendulum_group, name))%line(1)
+      end function line_of
+   end subroutine choose_start
+
+   pure function pair(start) result(text)
+      integer, intent(in) :: start
+      character(len=len_trim(starts(start)%first) + 2 + len_trim(starts(start)%second)) :: text
+
+      text = trim(starts(start)%first)//', '//trim(starts(start)%second)
+   end function pair
+
+   !> Blanks behind.
+   pure function all_starts() result(text)
+      character(len=50*size(starts)) :: text
+      integer :: i
+
+      text = '('//pair(1)//')'
+      do i = 2, size(starts)
+         text = trim(text)//' ('//pair(i)//')'
+      end do
+   end function all_starts
+
+end module kyvadlo_scene_reader
