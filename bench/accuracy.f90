@@ -35,8 +35,8 @@ contains
       passes = merge(3, 41, quick)
       allocate (work)
       write (unit, '(a,/,a,/)') &
-         'Positions at 10240 times over 100 periods, one thread: nanoseconds a point, and how many times faster than an', &
-         'orbit without an accuracy. Errors are the worst of 128 distances from our real128, in l.'
+         'Positions at 10240 times over 100 periods, one thread: nanoseconds a point, and how many times faster than', &
+         'an orbit without an accuracy. Errors are the worst of 128 distances from our real128, in l.'
       call prepare(work, 1.3_real64, 0.1_real64)
       call print_places(unit, work, 'k**2 < 1/2', passes)
       call prepare(work, 0.8_real64, 0.1_real64)

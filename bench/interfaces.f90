@@ -2,11 +2,12 @@
 module kyvadlo_bench_interfaces
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64, real64
-   use kyvadlo, only: carlson_rf, carlson_rj, elliptic_f, elliptic_k, error_type => kyvadlo_error_type, jacobi_functions, &
-      new_orbit_from_heights, orbit_type
+   use kyvadlo, only: carlson_rf, carlson_rj, elliptic_f, elliptic_k, error_type => kyvadlo_error_type, &
+      jacobi_functions, new_orbit_from_heights, orbit_type
    use kyvadlo_c_functions, only: kyvadlo_carlson_rf, kyvadlo_carlson_rj, kyvadlo_elliptic_f, kyvadlo_elliptic_k, &
       kyvadlo_sncndn
-   use kyvadlo_c_orbits, only: c_orbit_type, kyvadlo_locate, kyvadlo_orbit_from_heights
+   use kyvadlo_c_motion, only: kyvadlo_locate
+   use kyvadlo_c_orbits, only: c_orbit_type, kyvadlo_orbit_from_heights
    use kyvadlo_f77_functions, only: kyvelf, kyvelk, kyvrf, kyvrj, kyvscd
    use kyvadlo_f77_pendulum, only: kyvpos, kyvset, work_length
    use kyvadlo_stopwatch, only: median, nanoseconds_since

@@ -144,7 +144,8 @@ contains
          case (period_many)
             call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
          case default
-            call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), level)
+            call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), &
+               level)
          end select
       end associate
    end subroutine run_arrays
@@ -188,7 +189,8 @@ contains
          end do
       case default
          do i = 1, calls
-            total = total + orbit_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), bench%bottom_upright(i))
+            total = total + orbit_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright(i), &
+               bench%bottom_upright(i))
          end do
       end select
    end subroutine run_calls
@@ -209,7 +211,8 @@ contains
          case (set_up_dual)
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + step, error)
          case default
-            call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-16_real64*step, error)
+            call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-16_real64*step, &
+               error)
          end select
          total = total + orbit%period()
       end do
@@ -221,8 +224,8 @@ contains
       character(len=9), parameter :: names(0:2) = [character(len=9) :: 'x86-64', 'x86-64-v3', 'x86-64-v4']
 
       if (level == 0) write (unit, '(a)') &
-         'Positions at 10240 times of one orbit, double precision, one thread. S is a scalar sine, measured beside; the', &
-         'floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', &
+         'Positions at 10240 times of one orbit, double precision, one thread. S is a scalar sine, measured beside;', &
+         'the floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', &
          '', 'kernel      k**2    what                             ns       S   floors'
       call print_row('        floor', floor_row)
       call print_row('< 1/2   position', direct_row)
@@ -275,9 +278,9 @@ contains
 
       has = .false.
       write (unit, '(/,a,/,a,/,a,/)') &
-         'Against others, set-up included; times of others over ours. GSL (sn, cn, dn and two integrals of the third kind', &
-         'a point) runs here; dopri5 (Boost.Odeint, dense output) and the best closed form are quoted in S from another', &
-         'machine. Errors are the worst distance from our real128 (GSL: of its own turning heights as printed).'
+         'Against others, set-up included; times of others over ours. GSL (sn, cn, dn and two integrals of the third', &
+         'kind a point) runs here; dopri5 (Boost.Odeint, dense output) and the best closed form are quoted in S from', &
+         'another machine. Errors are the worst distance from our real128 (GSL: of its own turning heights as printed).'
       write (unit, '(a10,2x,a24,2a8,2a10,2x,a22,a10)') 'orbit', 'motion                  ', 'ns', 'S', 'error', 'GSL', &
          '      quoted          ', 'its error'
       do k = 1, size(peers)

@@ -25,7 +25,7 @@ contains
    pure subroutine fail(error, code, message)
       type(error_type), allocatable, intent(out) :: error  !! Allocated on return
       integer, intent(in) :: code                          !! One of the `code_*` constants
-      character(len=*), intent(in) :: message              !! Names the procedure, the rule and the values; blanks at its end go
+      character(len=*), intent(in) :: message  !! Names the procedure, the rule and the values; blanks at its end go
 
       allocate (error)
       error%code = code

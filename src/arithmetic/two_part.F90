@@ -1,9 +1,10 @@
-!> Two-part ("double-word") arithmetic: sums high + low with twice the digits of a kind, for the constants that long times
-!> multiply and for differences that must not lose digits. Pure value arithmetic.
-!> Parentheses around a product or an argument are not idle: no compiler may fuse across them (gfortran's -fprotect-parens), so
-!> that the digits hold where products and sums are contracted, as by -march=native in fpm.
+!> Two-part ("double-word") arithmetic: sums high + low with twice the digits of a kind, for the constants that long
+!> times multiply and for differences that must not lose digits. Pure value arithmetic.
+!> Parentheses around a product or an argument are not idle: no compiler may fuse across them (gfortran's
+!> -fprotect-parens), so that the digits hold where products and sums are contracted, as by -march=native in fpm.
 !>
-!> Callers that are to have it inlined are compiled in one unit with it (`src/unit_arithmetic.F90`, `src/unit_orbit.F90`).
+!> Callers that are to have it inlined are compiled in one unit with it (`src/unit_arithmetic.F90`,
+!> `src/unit_orbit.F90`).
 !>
 !> There is no real32 instance: what real32 needs beyond its digits is computed in real64.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__ + 0 == 1

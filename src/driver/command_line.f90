@@ -205,8 +205,8 @@ contains
       if (allocated(what)) then
          call fail(error, code_input, 'option '//name//' must be a number, got '//quoted(text)//' ('//what//')')
       else if (.not. (accuracy_finest_quad <= accuracy .and. accuracy <= accuracy_coarsest)) then
-         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(accuracy_finest_quad, 2)//' and '// &
-            digits_text(accuracy_coarsest, 1)//', got '//quoted(text))
+         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(accuracy_finest_quad, 2)// &
+            ' and '//digits_text(accuracy_coarsest, 1)//', got '//quoted(text))
       end if
       do i = 1, size(others)
          if (option_given(arguments, trim(others(i))) .and. .not. allocated(error)) &

@@ -76,7 +76,8 @@ contains
 
       goes_on = .true.
       if (associated(sink%picture)) call sink%picture%take(values, goes_on)
-      if (associated(sink%samples)) call sink%samples%take_written(values(:, :sink%columns), cells(:, :sink%columns), goes_on)
+      if (associated(sink%samples)) call sink%samples%take_written(values(:, :sink%columns), cells(:, :sink%columns), &
+         goes_on)
       sink%done = sink%done + size(values, 1)
       if (sink%shows) call show(sink)
    end subroutine take_written_watched

@@ -139,8 +139,8 @@ contains
       rate = orbit%phase_rate()
       associate (turning => orbit%turning)
          do i = 1, n_times
-            call jacobi_evaluate(jacobi, rate*since(orbit, work%times(i), anint(work%times(i)/orbit%period_pair%high)), sn, &
-               cn, dn, am)
+            call jacobi_evaluate(jacobi, rate*since(orbit, work%times(i), &
+               anint(work%times(i)/orbit%period_pair%high)), sn, cn, dn, am)
             up = turning%lower_rise + turning%swing*(cn/dn)**2
             down = turning%top_gap + turning%swing*orbit%complementary_parameter*(sn/dn)**2
             phi = orbit%azimuth(work%times(i))
