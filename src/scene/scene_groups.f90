@@ -1,7 +1,7 @@
 !> The words of a scene: groups, names, starts. One table of settings: reader, checks, messages, `kyvadlo simulate --list` and the
 !> tables of doc/scene_format.md come from it.
 module kyvadlo_scene_groups
-   use kyvadlo_start, only: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
+   use kyvadlo_start_kinds, only: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
       start_energy_above_bottom, start_release, start_state
    implicit none
    private
