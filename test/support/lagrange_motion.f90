@@ -6,7 +6,7 @@
 !> The angles: a about the axis of the upper hinge, b about that of the lower; the bob is at e sin a along the long direction,
 !> s sin b along the short one and upper - e cos a in height, e = apart + s cos b. With both hinges in one point it is a sphere.
 module lagrange_motion
-   use, intrinsic :: iso_fortran_env, only: qp => real128
+   use reference_kinds, only: qp => real128
    implicit none
    private
    public :: scene_type, contact_type, lagrange_run

@@ -1,6 +1,6 @@
 !> The closed form beside Newton's equations, in quadruple precision.
 module newton_check
-   use, intrinsic :: iso_fortran_env, only: qp => real128
+   use reference_kinds, only: qp => real128
    use kyvadlo, error_type => kyvadlo_error_type
    use newton_series, only: integrate
    implicit none

@@ -4,7 +4,7 @@
 !> With the rod force, x'' = -p x, y'' = -p y, z'' = -p z - g, p = (v**2 - g z)/l**2; each Taylor coefficient follows from those
 !> before it by products of series.
 module newton_series
-   use, intrinsic :: iso_fortran_env, only: qp => real128
+   use reference_kinds, only: qp => real128
    implicit none
    private
    public :: integrate

@@ -1,6 +1,7 @@
 !> The pendulum questions of the reference files, answered by the library in three kinds.
 module pendulum_answers_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use reference_kinds, only: real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use kyvadlo, error_type => kyvadlo_error_type
    use reference_data, only: read_reference, ulps
@@ -10,7 +11,8 @@ module pendulum_answers_real32
 end module pendulum_answers_real32
 
 module pendulum_answers_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use reference_kinds, only: real128
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use kyvadlo, error_type => kyvadlo_error_type
    use reference_data, only: read_reference, ulps

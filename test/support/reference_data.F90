@@ -5,7 +5,8 @@
 !> the name of the set (regime), the kind (32, 64 or 128) in which the arguments are exact, the results to 40 digits, and
 !> for each result the change, in its own ulps of that kind, that half an ulp of every argument makes in sum.
 module reference_data_real32
-   use, intrinsic :: iso_fortran_env, only: wp => real32, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real32
+   use reference_kinds, only: real128
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    implicit none
    private
@@ -18,7 +19,8 @@ contains
 end module reference_data_real32
 
 module reference_data_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64, real128
+   use, intrinsic :: iso_fortran_env, only: wp => real64
+   use reference_kinds, only: real128
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    implicit none
    private
@@ -46,7 +48,7 @@ end module reference_data_real128
 #endif
 
 module reference_data
-   use, intrinsic :: iso_fortran_env, only: real128
+   use reference_kinds, only: real128
    use reference_data_real32
    use reference_data_real64
 #ifndef KYVADLO_NO_REAL128

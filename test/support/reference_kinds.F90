@@ -1,0 +1,15 @@
+!> The kind of references and of what is measured: quadruple precision, or the widest kind where there is none.
+module reference_kinds
+#ifdef KYVADLO_NO_REAL128
+   use, intrinsic :: iso_fortran_env, only: real64
+   implicit none
+   private
+   public :: real128
+   integer, parameter :: real128 = merge(selected_real_kind(18), real64, selected_real_kind(18) > 0)
+#else
+   use, intrinsic :: iso_fortran_env, only: real128
+   implicit none
+   private
+   public :: real128
+#endif
+end module reference_kinds
