@@ -12,6 +12,11 @@ endforeach()
 # Module files can be read by the compiler that wrote them only, so they lie in a folder named after it.
 set(KYVADLO_MODDIR ${CMAKE_INSTALL_INCLUDEDIR}/kyvadlo/${CMAKE_Fortran_COMPILER_ID}-${CMAKE_Fortran_COMPILER_VERSION}
   CACHE STRING "Folder of the installed .mod files, relative to the prefix")
+# Where a shared library lies, as the loader says it.
+set(origin "$ORIGIN")
+if(APPLE)
+  set(origin "@loader_path")
+endif()
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/kyvadlo)
 
 set(installed_targets kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo)
@@ -39,13 +44,13 @@ foreach(target IN LISTS installed_targets ITEMS kyvadlo_slatec kyvadlo_driver)
   if(TARGET ${target})
     set_target_properties(${target} PROPERTIES BUILD_WITH_INSTALL_RPATH ON)
     if(BUILD_SHARED_LIBS)
-      set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN"
+      set_target_properties(${target} PROPERTIES INSTALL_RPATH "${origin}"
         LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin/${libraries_from_program})
     endif()
   endif()
 endforeach()
 if(BUILD_SHARED_LIBS)
-  set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
+  set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "${origin}/${libraries_from_program}")
 endif()
 install(TARGETS kyvadlo_driver)
 
