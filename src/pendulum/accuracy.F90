@@ -248,6 +248,7 @@ contains
       end subroutine clear
    end subroutine clear_smallest
 
+#ifndef KYVADLO_NO_REAL128
    !> Whether real128 keeps it: what the start allows, and times that can still be told apart.
    pure subroutine check_wide(plan, error)
       type(accurate_orbit_type), intent(inout) :: plan
@@ -258,13 +259,15 @@ contains
       call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**112 half periods, got '// &
          text(half_periods(plan%orbit, plan%span)))
    end subroutine check_wide
+#endif
 
    !> NaN everywhere: nothing computed from a failed set-up can pass for a number.
    pure subroutine spoil(plan)
       type(accurate_orbit_type), intent(inout) :: plan
+      type(orbit_type) :: never_set_up
 
       if (allocated(plan%wide)) deallocate (plan%wide)
-      plan%orbit = orbit_type()
+      plan%orbit = never_set_up
       plan%bound = quiet_nan
    end subroutine spoil
 
