@@ -78,7 +78,8 @@ contains
       end if
    end subroutine table_command
 
-   !> The pendulums of all scenes, in order, or the built-in ones, or the one chosen of them. Notes go to standard error.
+   !> The pendulums of all scenes, in order, or the built-in ones, or the one chosen of them. Notes go to standard
+   !> error.
    subroutine read_all(arguments, pendulums, error)
       type(arguments_type), intent(in) :: arguments
       type(pendulum_type), allocatable, intent(out) :: pendulums(:)

@@ -2,7 +2,7 @@
 !> says how each effect works and how they combine.
 module kyvadlo_effects
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_numbers, only: is_finite
+   use kyvadlo_numbers_real64, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain
    implicit none
    private

@@ -1,8 +1,9 @@
 !> The shortest decimal text that reads back as a given double, fast: by whole numbers of 128 bits, all exact.
 !>
-!> A double is m 2**e. Times a power of ten its rounding interval, from half a unit below to half a unit above, has ends that
-!> are whole numbers over a power of two; the text sought is the multiple of the largest power of ten between them, of
-!> several the one nearest to the value. (The principle of Steele and White, PLDI 1990, as Adams, PLDI 2018, uses it.)
+!> A double is m 2**e. Times a power of ten its rounding interval, from half a unit below to half a unit above, has ends
+!> that are whole numbers over a power of two; the text sought is the multiple of the largest power of ten between them,
+!> of several the one nearest to the value. (The principle of Steele and White, PLDI 1990, as Adams, PLDI 2018, uses
+!> it.)
 module kyvadlo_decimal
    use, intrinsic :: iso_fortran_env, only: int64, real64
    implicit none
@@ -13,12 +14,12 @@ module kyvadlo_decimal
    integer, parameter :: bits = digits(1.0_real64)
    !> The longest text: sign, 17 figures, point, exponent of three figures.
    integer, parameter :: longest_decimal = 24
-   !> Magnitudes served. Below, the products would not fit into 127 bits: 55 of four times m, 70 of 5**30; above, the value
-   !> times the power of ten would be a whole number already.
+   !> Magnitudes served. Below, the products would not fit into 127 bits: 55 of four times m, 70 of 5**30; above, the
+   !> value times the power of ten would be a whole number already.
    real(real64), parameter :: smallest = 2.0_real64**(-46), largest = 2.0_real64**49
    !> Written out: the index of an implied loop would be a variable of the module.
-   integer, parameter :: count_up(0:30) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, &
-      23, 24, 25, 26, 27, 28, 29, 30]
+   integer, parameter :: count_up(0:30) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, &
+      21, 22, 23, 24, 25, 26, 27, 28, 29, 30]
    integer(wide), parameter :: powers_of_five(0:30) = 5_wide**count_up
    integer(int64), parameter :: powers_of_ten(0:18) = 10_int64**count_up(:18)
    real(real64), parameter :: log10_of_two = log10(2.0_real64)
@@ -29,8 +30,8 @@ module kyvadlo_decimal
 
 contains
 
-   !> Writes the text of a value into the first `length` places: `-1.5e+00`, as `shortest_text` does. `length` is 0 where this
-   !> does not serve: zero, infinities, NaN, and magnitudes below 1.5e-14 or above 5.6e14.
+   !> Writes the text of a value into the first `length` places: `-1.5e+00`, as `shortest_text` does. `length` is 0
+   !> where this does not serve: zero, infinities, NaN, and magnitudes below 1.5e-14 or above 5.6e14.
    pure subroutine put_shortest(value, text, length)
       real(real64), intent(in) :: value
       character(len=*), intent(inout) :: text    !! At least `longest_decimal` places

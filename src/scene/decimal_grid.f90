@@ -1,5 +1,5 @@
-!> Equidistant numbers between two decimals as they were typed: (A (n - i) + B i)/n in whole numbers, as a text that any kind
-!> reads and rounds once. In floating point 0.9 in 18 steps of 0.1 does not pass through 0.8.
+!> Equidistant numbers between two decimals as they were typed: (A (n - i) + B i)/n in whole numbers, as a text that any
+!> kind reads and rounds once. In floating point 0.9 in 18 steps of 0.1 does not pass through 0.8.
 module kyvadlo_decimal_grid
    use, intrinsic :: iso_fortran_env, only: int64
    implicit none
@@ -8,8 +8,8 @@ module kyvadlo_decimal_grid
 
    !> Whole numbers by their digits to the base 1000, the lowest first: a digit times a count of 4.5e15 fits into int64.
    integer, parameter :: base = 1000, base_figures = 3
-   !> Digits of a point that are written: 63 figures at least 61 of which count. Quadruple precision rounds 34, and whether what
-   !> follows is zero is known: the text ends in 1 if it is not.
+   !> Digits of a point that are written: 63 figures at least 61 of which count. Quadruple precision rounds 34, and
+   !> whether what follows is zero is known: the text ends in 1 if it is not.
    integer, parameter :: point_digits = 21
    integer, parameter :: longest_point = (point_digits + 2)*base_figures + 16
    !> Powers of ten beyond every kind.

@@ -120,10 +120,10 @@ contains
       real(wp) :: since(block_samples), position(3), velocity(3), tension
       integer :: first, last, piece, i
 
-      associate (values => block%values, string => path%string, n => block%count, p => block%column(quantity_position), &
-         v => block%column(quantity_velocity), tension_column => block%column(quantity_tension), &
-         energy => block%column(quantity_energy), momentum => block%column(quantity_momentum), &
-         azimuth_column => block%column(quantity_azimuth))
+      associate (values => block%values, string => path%string, n => block%count, &
+         p => block%column(quantity_position), v => block%column(quantity_velocity), &
+         tension_column => block%column(quantity_tension), energy => block%column(quantity_energy), &
+         momentum => block%column(quantity_momentum), azimuth_column => block%column(quantity_azimuth))
          piece = block%piece
          if (azimuth_column > 0 .and. .not. values(1, 1) > 0) block%azimuth = first_azimuth(string)
          first = 1
@@ -149,8 +149,8 @@ contains
                   if (p > 0) values(i, p:p + 2) = position
                   if (v > 0) values(i, v:v + 2) = velocity
                   if (tension_column > 0) values(i, tension_column) = tension
-                  if (azimuth_column > 0) values(i, azimuth_column) = turned_azimuth(position(1), position(2), velocity(1), &
-                     velocity(2), block%azimuth)
+                  if (azimuth_column > 0) values(i, azimuth_column) = turned_azimuth(position(1), position(2), &
+                     velocity(1), velocity(2), block%azimuth)
                end do
             end if
             first = last + 1
@@ -163,7 +163,8 @@ contains
       call fill_no_work(block)
    end subroutine fill_string
 
-   !> The azimuth at the end of a piece of the motion, from that at its start: a swing counts its turns, a flight is straight.
+   !> The azimuth at the end of a piece of the motion, from that at its start: a swing counts its turns, a flight is
+   !> straight.
    pure real(wp) function azimuth_after(string, piece, at_start) result(at_end)
       type(string_motion_type), intent(in) :: string
       integer, intent(in) :: piece            !! Not the last
@@ -171,12 +172,14 @@ contains
 
       at_end = at_start
       associate (this => string%pieces(piece), next => string%pieces(piece + 1))
-         if (this%is_taut) at_end = at_start + (this%orbit%azimuth(next%start - this%start) - this%orbit%azimuth(0.0_wp))
+         if (this%is_taut) at_end = at_start + (this%orbit%azimuth(next%start - this%start) &
+            - this%orbit%azimuth(0.0_wp))
          at_end = turned_azimuth(next%position(1), next%position(2), next%velocity(1), next%velocity(2), at_end)
       end associate
    end function azimuth_after
 
-   !> The azimuth at the start; of a bob that first falls along the axis that of its first motion off it. NaN: it has none.
+   !> The azimuth at the start; of a bob that first falls along the axis that of its first motion off it. NaN: it has
+   !> none.
    pure real(wp) function first_azimuth(string) result(azimuth)
       type(string_motion_type), intent(in) :: string
       integer :: i

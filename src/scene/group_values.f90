@@ -40,7 +40,8 @@ contains
       do i = 1, size(group%entries)
          j = setting_place(place, group%entries(i)%name)
          if (j == 0) then
-            call refuse(error, group, group%entries(i)%line, 'unknown name '//shown(group%entries(i)%name)//known_names(place))
+            call refuse(error, group, group%entries(i)%line, 'unknown name '//shown(group%entries(i)%name)// &
+               known_names(place))
          else
             call take_entry(group, group%entries(i), settings(j), values(j), error)
          end if
@@ -80,8 +81,9 @@ contains
          call refuse(error, group, entry%line, takes(setting)//', got more'//what)
          return
       else if (entry%last > 0 .and. entry%last /= last) then
-         call refuse(error, group, entry%line, trim(setting%name)//'('//integer_text(entry%first)//':'//integer_text(entry%last) &
-            //') takes '//integer_text(entry%last - entry%first + 1)//' values, got '//integer_text(size(entry%values)))
+         call refuse(error, group, entry%line, trim(setting%name)//'('//integer_text(entry%first)//':'// &
+            integer_text(entry%last) //') takes '//integer_text(entry%last - entry%first + 1)//' values, got '// &
+            integer_text(size(entry%values)))
          return
       end if
       do i = 1, size(entry%values)

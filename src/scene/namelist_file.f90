@@ -3,8 +3,9 @@
 !> Native namelist reading knows neither the line of an error nor the name it did not understand, and drops what it does
 !> not know between groups. Here every byte is accounted for. Read as in Fortran: `&name ... /` (or `&end`),
 !> `name = value`, several values separated by commas, blanks or line ends, `r*value`, `name(i) = value`,
-!> `name(i:j) = values`, texts in ' or ", comments from ! to the end of the line, remarks behind the end of a group up to the end
-!> of its line, upper and lower case alike. Not accepted: empty values, other text outside groups, complex numbers.
+!> `name(i:j) = values`, texts in ' or ", comments from ! to the end of the line, remarks behind the end of a group up
+!> to the end of its line, upper and lower case alike. Not accepted: empty values, other text outside groups, complex
+!> numbers.
 module kyvadlo_namelist_file
    use kyvadlo_file_text, only: file_name, read_file
    use kyvadlo_status, only: code_input, error_type, fail
@@ -165,7 +166,8 @@ contains
             return
          end if
          if (count == most_names) then
-            call refuse(error, cursor, 'group &'//shown(group%name)//' has more than '//integer_text(most_names)//' names')
+            call refuse(error, cursor, 'group &'//shown(group%name)//' has more than '//integer_text(most_names)// &
+               ' names')
             return
          else if (count == size(entries)) then
             allocate (more(2*count))
@@ -179,8 +181,8 @@ contains
       group%entries = entries(:count)
    end subroutine parse_group
 
-   !> Behind the end of a group: what is left of the line, up to a comment or another group. Without a blank before it, it may
-   !> be a part of a value (`gravity = 9.8/2`), and is left to be complained of.
+   !> Behind the end of a group: what is left of the line, up to a comment or another group. Without a blank before it,
+   !> it may be a part of a value (`gravity = 9.8/2`), and is left to be complained of.
    pure subroutine skip_remark(text, cursor)
       character(len=*), intent(in) :: text
       type(cursor_type), intent(inout) :: cursor
@@ -230,7 +232,8 @@ contains
       call parse_values(text, cursor, entry, error)
    end subroutine parse_entry
 
-   !> Does `name =`, `name(i) =` or `name(i:j) =` stand at `at`? Then `next` is the place behind the equals sign, else 0.
+   !> Does `name =`, `name(i) =` or `name(i:j) =` stand at `at`? Then `next` is the place behind the equals sign, else
+   !> 0.
    pure subroutine match_name(text, at, at_line, entry, next, line)
       character(len=*), intent(in) :: text
       integer, intent(in) :: at, at_line

@@ -3,8 +3,8 @@ module kyvadlo_quantities
    implicit none
    private
    public :: quantity_type, quantities, default_quantities
-   public :: quantity_position, quantity_velocity, quantity_speed, quantity_energy, quantity_momentum, quantity_tension, &
-      quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work
+   public :: quantity_position, quantity_velocity, quantity_speed, quantity_energy, quantity_momentum, &
+      quantity_tension, quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work
 
    !> A word of `quantities`, and the columns it stands for.
    type :: quantity_type
@@ -17,8 +17,8 @@ module kyvadlo_quantities
 
    !> Places in `quantities`.
    integer, parameter :: quantity_position = 1, quantity_velocity = 2, quantity_speed = 3, quantity_energy = 4, &
-      quantity_momentum = 5, quantity_tension = 6, quantity_azimuth = 7, quantity_inclination = 8, quantity_drag_work = 9, &
-      quantity_pivot_work = 10
+      quantity_momentum = 5, quantity_tension = 6, quantity_azimuth = 7, quantity_inclination = 8, &
+      quantity_drag_work = 9, quantity_pivot_work = 10
 
    type(quantity_type), parameter :: quantities(10) = [ &
       quantity_type('position', 3, [character(len=11) :: 'x', 'y', 'z'], 'm', 'position of the bob, z upwards'), &

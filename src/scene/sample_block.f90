@@ -11,8 +11,8 @@ module kyvadlo_sample_block
    use kyvadlo_turning_frame, only: frame_angle, seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, turn_azimuth, &
-      turn_frame
+   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, &
+      turn_azimuth, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate`.
    integer, parameter :: block_samples = 8192
@@ -63,9 +63,11 @@ contains
       end do
       block%visible = count
       if (block%column(quantity_speed) > 0) call add(quantity_velocity)
-      if (.not. is_one_orbit .and. any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
+      if (.not. is_one_orbit .and. &
+         any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
       if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0 .or. &
-         block%column(quantity_azimuth) > 0 .and. simulation%settings%given(turning_frame_group)) call add(quantity_position)
+         block%column(quantity_azimuth) > 0 .and. &
+         simulation%settings%given(turning_frame_group)) call add(quantity_position)
       allocate (block%values(block_samples, count))
 
    contains
@@ -85,7 +87,8 @@ contains
 
       associate (values => block%values, n => block%count, p => block%column(quantity_position), &
          inclination => block%column(quantity_inclination))
-         if (inclination > 0) values(:n, inclination) = atan2(hypot(values(:n, p), values(:n, p + 1)), -values(:n, p + 2))
+         if (inclination > 0) values(:n, inclination) = atan2(hypot(values(:n, p), values(:n, p + 1)), &
+            -values(:n, p + 2))
       end associate
    end subroutine fill_inclination
 
@@ -116,7 +119,8 @@ contains
       end associate
    end subroutine move_with_pivot
 
-   !> The motion seen from a frame that turns about the vertical. Energy, momentum and tension stay those of the resting one.
+   !> The motion seen from a frame that turns about the vertical. Energy, momentum and tension stay those of the resting
+   !> one.
    pure subroutine turn_frame(rate, block)
       real(wp), intent(in) :: rate                            !! [rad/s]
       type(block_type), intent(inout) :: block
@@ -137,8 +141,8 @@ contains
       end associate
    end subroutine turn_frame
 
-   !> The azimuth seen from that frame, of places relative to the pivot: the angle of the place, which has all digits, with the turns of
-   !> the difference, which may be a small one of large numbers.
+   !> The azimuth seen from that frame, of places relative to the pivot: the angle of the place, which has all digits,
+   !> with the turns of the difference, which may be a small one of large numbers.
    pure subroutine turn_azimuth(rate, block)
       real(wp), intent(in) :: rate                            !! [rad/s]
       type(block_type), intent(inout) :: block

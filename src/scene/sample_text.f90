@@ -36,7 +36,8 @@ contains
    function new_csv_samples(lines, events, threads) result(sink)
       class(text_sink_type), intent(in), target :: lines
       class(text_sink_type), intent(in), target, optional :: events
-      integer, intent(in), optional :: threads  !! To share the lines of a long block: 1 if absent; 0 as many as OpenMP offers
+      !> To share the lines of a long block: 1 if absent; 0 as many as OpenMP offers
+      integer, intent(in), optional :: threads
       type(csv_samples_type) :: sink
 
       sink%lines => lines
@@ -156,7 +157,8 @@ contains
       character(len=6*(longest_decimal + 1)) :: row
 
       row = shortest_text(event%time)//','//trim(event%what)//','//shortest_text(event%position(1))//',' &
-         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','//shortest_text(event%energy_lost)
+         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','// &
+         shortest_text(event%energy_lost)
    end function event_row
 
    !> Appends a number to a buffer.

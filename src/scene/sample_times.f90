@@ -10,12 +10,13 @@ module kyvadlo_sample_times
 
 contains
 
-   !> Equidistant times from 0 to a duration: i times the duration over the number of intervals, rounded once, so that 0.3 s is
-   !> written as that. The duration is the decimal that was typed, if one was, of which `rest` is what its rounding took off.
+   !> Equidistant times from 0 to a duration: i times the duration over the number of intervals, rounded once, so that
+   !> 0.3 s is written as that. The duration is the decimal that was typed, if one was, of which `rest` is what its
+   !> rounding took off.
    !>
-   !> The interval is split into a head, which i multiplies exactly, and the rest: no division for each sample. (Vectorised:
-   !> every operation is rounded correctly, in whatever order.) Where that leaves open to which side a time is rounded, some of
-   !> 1e8 samples in 1e8, whole numbers decide.
+   !> The interval is split into a head, which i multiplies exactly, and the rest: no division for each sample.
+   !> (Vectorised: every operation is rounded correctly, in whatever order.) Where that leaves open to which side a time
+   !> is rounded, some of 1e8 samples in 1e8, whole numbers decide.
    subroutine set_times(samples, duration, duration_rest, typed, first, times)
       integer(int64), intent(in) :: samples           !! Of the scene, both ends included
       real(wp), intent(in) :: duration, duration_rest !! Their sum [s]
@@ -36,7 +37,8 @@ contains
       do i = 1, size(times)
          part = (before + (i - 1))*rest
          times(i) = (before + (i - 1))*head + part
-         doubt(i) = ((before + (i - 1))*head + part*(1 + 8*epsilon(part))) - ((before + (i - 1))*head + part*(1 - 8*epsilon(part)))
+         doubt(i) = ((before + (i - 1))*head + part*(1 + 8*epsilon(part))) &
+            - ((before + (i - 1))*head + part*(1 - 8*epsilon(part)))
       end do
       if (first + size(times) == samples) times(size(times)) = duration
       if (typed == '' .or. all(abs(doubt) <= 0)) return
@@ -46,8 +48,8 @@ contains
       end do
    end subroutine set_times
 
-   !> What rounding took off a number as it was typed: half of it is the middle between that and the value's opposite, all of whose
-   !> figures fit into 767.
+   !> What rounding took off a number as it was typed: half of it is the middle between that and the value's opposite,
+   !> all of whose figures fit into 767.
    pure real(wp) function rounded_off(typed, value) result(rest)
       character(len=*), intent(in) :: typed     !! Blank: nothing
       real(wp), intent(in) :: value

@@ -40,8 +40,8 @@ contains
       if (path(1:1) /= '/') path = simulation%folder//path
    end subroutine get_table_path
 
-   !> A table of the pivot: a line for each time, `t x y z` in s and m, separated by blanks or commas; blank lines and what
-   !> follows a # are left out.
+   !> A table of the pivot: a line for each time, `t x y z` in s and m, separated by blanks or commas; blank lines and
+   !> what follows a # are left out.
    subroutine read_table(simulation, effects, error)
       type(simulation_type), intent(in) :: simulation
       type(effects_type), intent(inout) :: effects
@@ -68,8 +68,9 @@ contains
          if (last < first - 1) last = len(text)
          call read_row(text(first:last), row, found, error)
          if (.not. allocated(error) .and. found > 0 .and. count > 0) then
-            if (.not. row(1) > rows(1, count)) call fail(error, code_input, 'the times of the table must ascend, got '// &
-               shortest_text(row(1))//' after '//shortest_text(rows(1, count)))
+            if (.not. row(1) > rows(1, count)) call fail(error, code_input, &
+               'the times of the table must ascend, got '// shortest_text(row(1))//' after '// &
+               shortest_text(rows(1, count)))
          end if
          if (allocated(error)) then
             error%message = place_of(path, line)//error%message

@@ -16,9 +16,9 @@ contains
 
    !> Reads the pendulums of a scene file.
    !>
-   !> Errors (`code_file`, `code_input`): the file cannot be read, is empty or binary; syntax; unknown group or name; a name
-   !> given twice; a start that is missing, incomplete or given in two ways; a value that is no finite number; an effect, which
-   !> only `simulate` computes, unless a note is asked for. Each names file, line, rule and value.
+   !> Errors (`code_file`, `code_input`): the file cannot be read, is empty or binary; syntax; unknown group or name; a
+   !> name given twice; a start that is missing, incomplete or given in two ways; a value that is no finite number; an
+   !> effect, which only `simulate` computes, unless a note is asked for. Each names file, line, rule and value.
    subroutine read_scene(path, pendulums, error, note)
       character(len=*), intent(in) :: path                       !! `-`: standard input
       type(pendulum_type), allocatable, intent(out) :: pendulums(:)
@@ -96,7 +96,8 @@ contains
       if (count == 0) call fail(error, code_input, file//': no &pendulum group')
    end subroutine pendulums_from_groups
 
-   !> Leaves only the pendulum of that name, or of that number if none has that name. Error: there is none, or there are several.
+   !> Leaves only the pendulum of that name, or of that number if none has that name. Error: there is none, or there are
+   !> several.
    pure subroutine choose_pendulum(pendulums, choice, error)
       type(pendulum_type), allocatable, intent(inout) :: pendulums(:)
       character(len=*), intent(in) :: choice
@@ -117,8 +118,9 @@ contains
       if (count == 1) then
          pendulums = pendulums(found:found)
       else
-         call fail(error, code_input, 'option --pendulum: '//trim(merge('none is named    ', 'several are named', count == 0)) &
-            //" '"//shown(choice)//"'; give another name, or a number from 1 to "//integer_text(size(pendulums)))
+         call fail(error, code_input, 'option --pendulum: '//trim(merge('none is named    ', 'several are named', &
+            count == 0)) //" '"//shown(choice)//"'; give another name, or a number from 1 to "// &
+            integer_text(size(pendulums)))
       end if
    end subroutine choose_pendulum
 

@@ -26,7 +26,8 @@ module kyvadlo_scene_settings_reader
       contradiction_type(air_group, 'linear', 'density'), contradiction_type(air_group, 'quadratic', 'density'), &
       contradiction_type(air_group, 'linear', 'viscosity'), contradiction_type(air_group, 'quadratic', 'viscosity'), &
       contradiction_type(moving_pivot_group, 'table', 'amplitude'), &
-      contradiction_type(moving_pivot_group, 'table', 'frequency'), contradiction_type(moving_pivot_group, 'table', 'phase')]
+      contradiction_type(moving_pivot_group, 'table', 'frequency'), contradiction_type(moving_pivot_group, 'table', &
+      'phase')]
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
@@ -34,8 +35,8 @@ contains
 
    !> The settings of all groups but &pendulum.
    !>
-   !> Errors (`code_input`), with file and line: an unknown group or name, a group given twice, a missing name, a value that
-   !> breaks its rule, groups that contradict each other.
+   !> Errors (`code_input`), with file and line: an unknown group or name, a group given twice, a missing name, a value
+   !> that breaks its rule, groups that contradict each other.
    pure subroutine settings_from_groups(groups, file, chosen, error)
       type(group_type), intent(in) :: groups(:)
       character(len=*), intent(in) :: file
@@ -87,15 +88,17 @@ contains
          effects%added_mass = number(buoyancy_group, 'added_mass')
          effects%linear_drag = number(air_group, 'linear')
          effects%quadratic_drag = number(air_group, 'quadratic')
-         if (number(air_group, 'diameter') > 0) call air_coefficients(number(air_group, 'diameter'), number(air_group, 'mass'), &
-            number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, effects%quadratic_drag)
+         if (number(air_group, 'diameter') > 0) call air_coefficients(number(air_group, 'diameter'), &
+            number(air_group, 'mass'), number(air_group, 'density'), number(air_group, 'viscosity'), &
+            effects%linear_drag, effects%quadratic_drag)
          effects%wind = vector(wind_group, 'velocity')
          if (chosen%given(earth_rotation_group)) effects%turn_rate = &
             earth_turn_rate(number(earth_rotation_group, 'latitude'), number(earth_rotation_group, 'rate'))
          effects%pivot_amplitude = vector(moving_pivot_group, 'amplitude')
          effects%pivot_frequency = vector(moving_pivot_group, 'frequency')
          effects%pivot_phase = vector(moving_pivot_group, 'phase')*degree
-         if (chosen%given(elastic_group)) effects%stiffness = number(elastic_group, 'stiffness')/number(elastic_group, 'mass')
+         if (chosen%given(elastic_group)) effects%stiffness = number(elastic_group, 'stiffness')/number(elastic_group, &
+            'mass')
          effects%extra_length = [number(anisotropic_support_group, 'extra_length_x'), &
             number(anisotropic_support_group, 'extra_length_y')]
       end associate
@@ -110,7 +113,8 @@ contains
          if (words%line(1) == 0) then
             call read_quantities(default_quantities, '', chosen%quantities, error)
          else
-            call read_quantities(words%text(1)%text, place_of(chosen%file, words%line(1))//'&output: ', chosen%quantities, error)
+            call read_quantities(words%text(1)%text, place_of(chosen%file, words%line(1))//'&output: ', &
+               chosen%quantities, error)
          end if
       end associate
 
@@ -182,8 +186,9 @@ contains
          type(error_type), allocatable, intent(inout) :: error
          integer, intent(in) :: one, other
 
-         if (chosen%given(one) .and. chosen%given(other)) call complain(error, max(chosen%line(one), chosen%line(other)), &
-            '&'//trim(group_names(one))//' and &'//trim(group_names(other))//' exclude each other')
+         if (chosen%given(one) .and. chosen%given(other)) call complain(error, &
+            max(chosen%line(one), chosen%line(other)), '&'//trim(group_names(one))//' and &'// &
+            trim(group_names(other))//' exclude each other')
       end subroutine exclude
 
       pure subroutine need(error, group, names, remedy)

@@ -1,4 +1,5 @@
-!> Computes the samples of a scene along the path chosen, block by block, in memory that does not grow with their number.
+!> Computes the samples of a scene along the path chosen, block by block, in memory that does not grow with their
+!> number.
 module kyvadlo_simulate
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
@@ -28,14 +29,14 @@ contains
 
    !> Computes a scene and hands the samples, and the events between them, to a sink.
    !>
-   !> Samples are equidistant in time, both ends included. The sink may end the run early. Errors: those of the integrator;
-   !> what was handed over before then is of no use.
+   !> Samples are equidistant in time, both ends included. The sink may end the run early. Errors: those of the
+   !> integrator; what was handed over before then is of no use.
    subroutine simulate(simulation, path, sink, error, check)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path                     !! From `choose_path`
       class(sample_sink_type), intent(inout) :: sink
       type(error_type), allocatable, intent(out) :: error
-      type(check_type), intent(inout), optional :: check      !! Of an integrated scene: at a tenth of the tolerance beside
+      type(check_type), intent(inout), optional :: check  !! Of an integrated scene: at a tenth of the tolerance beside
       type(block_type) :: block
 #ifdef KYVADLO_WITH_GSL
       type(integrated_type) :: integrated
@@ -93,7 +94,8 @@ contains
             call hand_over(simulation, path, block, path%events, sink, noted, goes_on)
 #ifdef KYVADLO_WITH_GSL
          case (path_integrated)
-            call hand_over(simulation, path, block, integrated%run%events(:integrated%run%event_count), sink, noted, goes_on)
+            call hand_over(simulation, path, block, integrated%run%events(:integrated%run%event_count), sink, noted, &
+               goes_on)
 #endif
          case default
             call sink%take(block%values(:block%count, :block%visible), goes_on)

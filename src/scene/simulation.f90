@@ -20,8 +20,8 @@ module kyvadlo_simulation
 
 contains
 
-   !> Reads a scene. Errors (`code_file`, `code_input`): those of `read_scene` and of the groups beside &pendulum; more than one
-   !> pendulum.
+   !> Reads a scene. Errors (`code_file`, `code_input`): those of `read_scene` and of the groups beside &pendulum; more
+   !> than one pendulum.
    subroutine read_simulation(path, simulation, error, pendulum)
       character(len=*), intent(in) :: path                  !! `-`: standard input
       type(simulation_type), intent(out) :: simulation

@@ -3,8 +3,8 @@ module kyvadlo_text
    use, intrinsic :: iso_fortran_env, only: int64
    implicit none
    private
-   public :: text_type, text_sink_type, counting_sink_type, append, integer_text, integer_length, join, lower_case, shown, &
-      shown_length, split_words
+   public :: text_type, text_sink_type, counting_sink_type, append, integer_text, integer_length, join, lower_case, &
+      shown, shown_length, split_words
 
    !> A text of any length, so that arrays of texts may have elements of different length.
    type :: text_type

@@ -2,8 +2,9 @@
 module kyvadlo_study_orbits
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo, error_type => kyvadlo_error_type
-   use kyvadlo_status, only: fail
+   use kyvadlo_motion_kinds, only: motion_plane_rotation, motion_rest, motion_upright
+   use kyvadlo_orbit, only: orbit_type, orbit_type_real128
+   use kyvadlo_status, only: code_unsupported, error_type, fail
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_orbit, only: pendulum_orbit
    use kyvadlo_study_set_up, only: set_up_orbit, study_start_type
