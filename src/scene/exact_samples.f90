@@ -1,6 +1,7 @@
 !> Samples of motions in closed form: at rest, on one orbit, on a string that goes slack.
 module kyvadlo_exact_samples
-   use kyvadlo
+   use kyvadlo_orbit_real64, only: orbit_type
+   use kyvadlo_string, only: string_motion_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities

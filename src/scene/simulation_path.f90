@@ -1,6 +1,9 @@
 !> How a scene is computed: the one place where the path is chosen.
 module kyvadlo_simulation_path
-   use kyvadlo
+   use kyvadlo_motion_kinds
+   use kyvadlo_orbit_real64, only: orbit_type
+   use kyvadlo_string, only: event_slack, new_string_motion, string_event_type, string_motion_type, &
+      string_starts_in_flight
    use kyvadlo_accuracy, only: accurate_orbit_type, accuracy_finest_quad, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type

@@ -7,7 +7,6 @@ module kyvadlo_wide_samples
    use kyvadlo_simulation_path, only: path_type
 #ifndef KYVADLO_NO_REAL128
    use, intrinsic :: iso_fortran_env, only: qp => real128
-   use kyvadlo
    use kyvadlo_number_text, only: padded_digits, padded_shortest
    use kyvadlo_numbers, only: is_nan
    use kyvadlo_pivot, only: pivot_motion
