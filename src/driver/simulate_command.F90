@@ -59,6 +59,7 @@ contains
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error, pendulum)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
+      if (allocated(path%note) .and. .not. allocated(error)) call message('kyvadlo: '//path%note)
       if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, path%threads, error)
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. path%figures > 0 .and. is_netcdf_name(option_value(arguments, '--output', ''))) &

@@ -14,8 +14,8 @@ module kyvadlo_pivot_table
 contains
 
    !> Gives effects the motion of the pivot along a natural cubic spline: through all points, twice continuously
-   !> differentiable, without acceleration at its ends. Fails on fewer than three points and on times that do not
-   !> ascend.
+   !> differentiable, without acceleration at its ends. Two points make a straight line. Fails on fewer and on times that do
+   !> not ascend.
    subroutine new_pivot_table(effects, times, displacements, error)
       type(effects_type), intent(inout) :: effects
       real(wp), intent(in) :: times(:)             !! (n), strictly ascending [s]
@@ -28,9 +28,9 @@ contains
       character(len=12) :: got
 
       n = size(times)
-      if (n < 3) then
+      if (n < 2) then
          write (got, '(i0)') n
-         call fail(error, code_domain, 'pivot table: at least 3 times are needed, got '//trim(got))
+         call fail(error, code_domain, 'pivot table: at least 2 times are needed, got '//trim(got))
       else if (size(displacements, 1) /= 3 .or. size(displacements, 2) /= n) then
          call fail(error, code_domain, 'pivot table: every time needs three displacements')
       else if (.not. (all(is_finite(times)) .and. all(is_finite(displacements)))) then
@@ -47,6 +47,8 @@ contains
       effects%pivot_times = times
       effects%pivot_displacements = displacements
       allocate (effects%pivot_curvatures, mold=displacements)
+      effects%pivot_curvatures = 0
+      if (n == 2) return
       spline = fgsl_spline_alloc(fgsl_interp_cspline, int(n, c_size_t))
       accel = fgsl_interp_accel_alloc()
       do axis = 1, 3

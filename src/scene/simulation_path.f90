@@ -55,6 +55,7 @@ module kyvadlo_simulation_path
       real(wp) :: most_steps = 0                !! It may take
       character(len=:), allocatable :: hardest  !! What asks for the most steps: file, line and group
       character(len=:), allocatable :: method   !! In words
+      character(len=:), allocatable :: note     !! Of something that is allowed and seldom meant; not allocated: none
       character(len=:), allocatable :: reason   !! In words
    end type path_type
 
@@ -106,7 +107,7 @@ contains
          path%most_steps = default_most_steps
          if (present(most_steps)) path%most_steps = most_steps
          path%inertia = effective_inertia(settings%effects%density_ratio, settings%effects%added_mass)
-         call effects_of(simulation, path%effects, error)
+         call effects_of(simulation, path%effects, error, path%note)
          if (.not. allocated(error)) call find_start(simulation, numbers, path, has_orbit, error)
          if (.not. allocated(error)) call check_table(simulation, path, error)
          if (allocated(error)) return

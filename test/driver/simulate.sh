@@ -232,8 +232,20 @@ if [ $with_gsl = yes ]; then
    fails 2 'pivot.txt:2: a number is expected, got a (not a number)' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 0\n1 1 0 0\n3 0 0 0\n' >pivot.txt
    fails 2 'pivot.txt:3: the times of the table must ascend, got 1e+00 after 1e+00' simulate pivot.nml
-   printf '0 0 0 0\n1 0.5 0 0\n' >pivot.txt
-   fails 2 'pivot.txt: pivot table: at least 3 times are needed, got 2' simulate pivot.nml
+   printf '0 0 0 0\n' >pivot.txt
+   fails 2 'pivot.txt: pivot table: at least 2 times are needed, got 1' simulate pivot.nml
+   # As scene files and kyvadlo's own CSV: byte order mark, comments, a head, more columns, two rows; a step is told.
+   printf '\357\273\277! comment\n# slack\nt,x,y,z,vx\n0,0,0,0,\n10,0.5,0,0,7\n' >pivot.txt
+   run simulate pivot.nml
+   expect_status 0
+   expect_match '^0e+00,'
+   printf '0 0 0 0\n1 0 0 0\n1.000001 1 0 0\n10 1 0 0\n' >pivot.txt
+   run simulate pivot.nml
+   expect_status 0
+   checks=$((checks + 1))
+   grep -q 'pivot.txt: a step: the pivot moves 1.00 m from t = 1e+00 to 1.000001e+00 s' err || complain 'a warning of the step expected'
+   printf 'time x y z\n0 0 0 0\n9 0 0 0\n' >pivot.txt
+   fails 2 'pivot.txt:1: a line of the table has 4 numbers, t x y z, or is a head t,x,y,z, got time x y z' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 0\n1.5 1 0 0\n' >pivot.txt
    fails 2 'pivot.nml:2: &moving_pivot: the table must cover the duration, 0 to 2e+00 s; it goes from 0e+00 to 1.5e+00 s' simulate pivot.nml
    rm pivot.txt
