@@ -181,7 +181,8 @@ contains
       end do
       has_head = .true.
       if (begin /= ' t x y z') &
-         call fail(error, code_input, 'a line of the table has 4 numbers, t x y z, or is a head t,x,y,z, got '//shown(line))
+         call fail(error, code_input, 'a line of the table has 4 numbers, t x y z, or is a head t,x,y,z, got '// &
+         shown(line))
    end subroutine read_head
 
 end module kyvadlo_scene_effects

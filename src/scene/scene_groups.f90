@@ -1,15 +1,15 @@
-!> The words of a scene: groups, names, starts. One table of settings: reader, checks, messages, `kyvadlo simulate --list` and the
-!> tables of doc/scene_format.md come from it.
+!> The words of a scene: groups, names, starts. One table of settings: reader, checks, messages, `kyvadlo simulate
+!> --list` and the tables of doc/scene_format.md come from it.
 module kyvadlo_scene_groups
    use kyvadlo_start_kinds, only: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
       start_energy_above_bottom, start_release, start_state
    implicit none
    private
    public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts
-   public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, rule_count, &
-      rule_text, rule_truth, rules
-   public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, wind_group, &
-      earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group
+   public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, &
+      rule_count, rule_text, rule_truth, rules
+   public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, &
+      wind_group, earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group
    public :: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, start_energy_above_bottom, &
       start_release, start_state
 
@@ -18,17 +18,17 @@ module kyvadlo_scene_groups
       turning_frame_group = 6, air_group = 7, wind_group = 8, earth_rotation_group = 9, moving_pivot_group = 10, &
       elastic_group = 11, anisotropic_support_group = 12
 
-   character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', 'buoyancy', &
-      'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support']
+   character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', &
+      'buoyancy', 'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support']
    !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
-   logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., .false., .false., &
-      .false., .false., .false., .false.]
+   logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., &
+      .false., .false., .false., .false., .false., .false.]
 
    !> What a value may be: `name must RULE`.
    integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &
       rule_latitude = 6, rule_half_turn = 7, rule_count = 8, rule_text = 9, rule_truth = 10
-   character(len=38), parameter :: rules(*) = [character(len=38) :: 'be a finite number', 'be positive', 'not be negative', &
-      'lie between 0 and 1', 'be at least 0 and less than 1', 'lie between -90 and 90 degrees', &
+   character(len=38), parameter :: rules(*) = [character(len=38) :: 'be a finite number', 'be positive', &
+      'not be negative', 'lie between 0 and 1', 'be at least 0 and less than 1', 'lie between -90 and 90 degrees', &
       'lie between -180 and 180 degrees', 'be a whole number from 2 to 4.5e15', 'be a text in quotation marks', &
       'be .true. or .false.']
 
@@ -58,8 +58,8 @@ module kyvadlo_scene_groups
       setting_type(pendulum_group, 'momentum', 1, rule_any, 'm2/s', 'c2', ''), &
       setting_type(pendulum_group, 'energy_above_top', 1, rule_any, 'm2/s2', 'c1 - g l', ''), &
       setting_type(pendulum_group, 'energy_above_bottom', 1, rule_any, 'm2/s2', 'c1 + g l', ''), &
-      setting_type(pendulum_group, 'release_angle', 1, rule_half_turn, 'deg', 'from the downward vertical, towards x', ''), &
-      setting_type(pendulum_group, 'release_speed', 1, rule_any, 'm/s', 'horizontal, across', '0'), &
+      setting_type(pendulum_group, 'release_angle', 1, rule_half_turn, 'deg', 'from the downward vertical, towards x', &
+      ''), setting_type(pendulum_group, 'release_speed', 1, rule_any, 'm/s', 'horizontal, across', '0'), &
       setting_type(pendulum_group, 'position', 3, rule_any, 'm', 'x, y, z', ''), &
       setting_type(pendulum_group, 'velocity', 3, rule_any, 'm/s', 'the rates of x, y, z', ''), &
       setting_type(output_group, 'duration', 1, rule_positive, 's', 'of the simulation, positive', 'one period'), &
@@ -74,17 +74,20 @@ module kyvadlo_scene_groups
       'a: mass of the fluid that moves along, over that displaced (1/2 for a sphere)', '0'), &
       setting_type(turning_frame_group, 'rate', 1, rule_any, 'rad/s', &
       'of the frame about the vertical, counted as the azimuth', 'required'), &
-      setting_type(air_group, 'linear', 1, rule_not_negative, '1/s', 'drag force over mass and speed, not negative', '0'), &
-      setting_type(air_group, 'quadratic', 1, rule_not_negative, '1/m', &
+      setting_type(air_group, 'linear', 1, rule_not_negative, '1/s', 'drag force over mass and speed, not negative', &
+      '0'), setting_type(air_group, 'quadratic', 1, rule_not_negative, '1/m', &
       'drag force over mass and square of the speed, not negative', '0'), &
       setting_type(air_group, 'diameter', 1, rule_positive, 'm', 'of a spherical bob, instead of the two above', ''), &
       setting_type(air_group, 'mass', 1, rule_positive, 'kg', 'of the spherical bob', ''), &
-   ! At 20 degrees Celsius and 101325 Pa: ISO 2533 gives 1.225 and 1.789e-5 at 15 degrees, ideal gas and Sutherland's law these.
-      setting_type(air_group, 'density', 1, rule_positive, 'kg/m3', 'of the air around it (20 degrees Celsius)', '1.204'), &
-      setting_type(air_group, 'viscosity', 1, rule_positive, 'Pa s', 'of the air around it', '1.813e-5'), &
+   ! At 20 degrees Celsius and 101325 Pa: ISO 2533 gives 1.225 and 1.789e-5 at 15 degrees, ideal gas and Sutherland's
+   ! law these.
+      setting_type(air_group, 'density', 1, rule_positive, 'kg/m3', 'of the air around it (20 degrees Celsius)', &
+      '1.204'), setting_type(air_group, 'viscosity', 1, rule_positive, 'Pa s', 'of the air around it', '1.813e-5'), &
       setting_type(wind_group, 'velocity', 3, rule_any, 'm/s', 'of the air, steady', 'required'), &
-      setting_type(earth_rotation_group, 'latitude', 1, rule_latitude, 'deg', '-90 to 90, north positive', 'required'), &
-      setting_type(earth_rotation_group, 'rate', 1, rule_any, 'rad/s', 'of the Earth about its axis', '7.292115e-5'), & ! IERS
+      setting_type(earth_rotation_group, 'latitude', 1, rule_latitude, 'deg', '-90 to 90, north positive', &
+      'required'), &
+      setting_type(earth_rotation_group, 'rate', 1, rule_any, 'rad/s', 'of the Earth about its axis', & ! IERS
+      '7.292115e-5'), &
       setting_type(moving_pivot_group, 'amplitude', 3, rule_any, 'm', 'along x, y, z', ''), &
       setting_type(moving_pivot_group, 'frequency', 3, rule_not_negative, 'Hz', 'along x, y, z, not negative', ''), &
       setting_type(moving_pivot_group, 'phase', 3, rule_any, 'deg', 'along x, y, z', '0'), &

@@ -42,7 +42,8 @@ module kyvadlo_simulation_path
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
       integer :: figures = 0                    !! To write, of an accuracy finer than doubles; 0: those of doubles
       type(string_motion_type) :: string        !! Of `path_string`
-      type(string_event_type), allocatable :: events(:) !! Of `path_string`, with one at the start if the string is slack there
+      !> Of `path_string`, with one at the start if the string is slack there
+      type(string_event_type), allocatable :: events(:)
       real(wp) :: position(3) = 0, velocity(3) = 0 !! At the start, relative to the pivot [m], [m/s]
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
@@ -71,7 +72,8 @@ module kyvadlo_simulation_path
    real(wp), parameter :: default_most_steps = 1e7_wp
    !> Where double precision cannot tell the phase: what must be left of it.
    real(wp), parameter :: phase_accuracy = 1e-3_wp
-   !> Places are written as doubles down to this accuracy; in finer ones so many figures at most tell what quadruple precision has.
+   !> Places are written as doubles down to this accuracy; in finer ones so many figures at most tell what quadruple
+   !> precision has.
    real(wp), parameter :: finest_of_doubles = 1e-16_wp
    integer, parameter :: most_figures = 34
    !> What two parts of a double resolve.
@@ -128,7 +130,8 @@ contains
             path%path = path_closed_form
             path%method = trim(closed_form_words(path%orbit))
             path%reason = 'no effect without a closed form is asked for'
-            if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))//': nothing there that acts'
+            if (integrated_groups(simulation) /= '') path%reason = trim(integrated_groups(simulation))// &
+               ': nothing there that acts'
             if (settings%given(string_group)) path%reason = '&string stays taut: its tension is nowhere negative'
             if (present(accuracy)) then
                call plan_accuracy(simulation, numbers, accuracy, .true., path, error)
@@ -140,8 +143,8 @@ contains
       end associate
    end subroutine choose_path
 
-   !> Where the bob starts: on an orbit, or where only a string that is slack or a suspension of another form lets it be. The
-   !> duration too, which is a period without one.
+   !> Where the bob starts: on an orbit, or where only a string that is slack or a suspension of another form lets it
+   !> be. The duration too, which is a period without one.
    subroutine find_start(simulation, numbers, path, has_orbit, error)
       type(simulation_type), intent(in) :: simulation
       type(numbers_type), intent(in) :: numbers              !! Under the effective gravity
@@ -160,7 +163,8 @@ contains
          is_free = .false.
          if (simulation%pendulum%start == start_state) then
             is_free = effects%stiffness > 0 .or. any(effects%extra_length > 0)
-            if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, numbers%first, numbers%second)
+            if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, numbers%first, &
+               numbers%second)
          end if
          if (is_free) then
             has_orbit = .false.
@@ -184,7 +188,8 @@ contains
          if (.not. is_free .and. .not. any(effects%extra_length > 0)) return
          call new_forces(forces, effects, path%length, path%gravity, error)
          if (.not. allocated(error)) call begin_motion(forces, path%position, path%velocity, is_taut, slack, error)
-         if (allocated(error)) error%message = place_of(settings%file, simulation%pendulum%start_line)//'&pendulum: '//error%message
+         if (allocated(error)) error%message = place_of(settings%file, simulation%pendulum%start_line)// &
+            '&pendulum: '//error%message
       end associate
    end subroutine find_start
 
@@ -194,7 +199,8 @@ contains
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
       !> The groups behind the `cause_*` constants; 0: &pendulum.
-      integer, parameter :: groups(*) = [0, 0, air_group, wind_group, earth_rotation_group, moving_pivot_group, elastic_group]
+      integer, parameter :: groups(*) = [0, 0, air_group, wind_group, earth_rotation_group, moving_pivot_group, &
+         elastic_group]
       integer :: cause
 
       associate (settings => simulation%settings)
@@ -207,10 +213,11 @@ contains
          path%path = path_integrated
          path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
          path%reason = trim(integrated_groups(simulation))//': no closed form'
-         call forecast_steps(path%effects, path%length, path%gravity, norm2(path%velocity), path%duration, path%tolerance, &
-            path%steps, cause)
+         call forecast_steps(path%effects, path%length, path%gravity, norm2(path%velocity), path%duration, &
+            path%tolerance, path%steps, cause)
          if (groups(cause) > 0) then
-            path%hardest = place_of(settings%file, settings%line(groups(cause)))//'&'//trim(group_names(groups(cause)))//': '
+            path%hardest = place_of(settings%file, settings%line(groups(cause)))//'&'// &
+               trim(group_names(groups(cause)))//': '
          else
             path%hardest = place_of(settings%file, merge(simulation%pendulum%start_line, simulation%pendulum%line, &
                cause == cause_start))//'&pendulum: '
@@ -244,9 +251,9 @@ contains
          path%method = 'closed forms of swings on the sphere and free flights, event by event'
          if (has_accuracy) then
             ! What an event is off by grows with every one that follows.
-            call fail(error, code_unsupported, place_of(settings%file, settings%line(string_group))//'&string: the string goes ' &
-               //'slack, and from event to event no accuracy can be promised; leave --accuracy out for all digits of double ' &
-               //'precision')
+            call fail(error, code_unsupported, place_of(settings%file, settings%line(string_group))// &
+               '&string: the string goes slack, and from event to event no accuracy can be promised; ' &
+               //'leave --accuracy out for all digits of double precision')
             return
          end if
          call new_string_motion(path%string, numbers%length, numbers%gravity, path%position, path%velocity, &
@@ -259,7 +266,8 @@ contains
             settings%line(string_group))//'&string: too many events before the end of the duration; shorten it')
          path%events = path%string%events
          associate (first => path%string%pieces(1))
-            if (.not. first%is_taut) path%events = [string_event_type(0.0_wp, event_slack, first%position, 0.0_wp), path%events]
+            if (.not. first%is_taut) path%events = [string_event_type(0.0_wp, event_slack, first%position, 0.0_wp), &
+               path%events]
          end associate
       end associate
    end subroutine follow_string
@@ -274,9 +282,9 @@ contains
       associate (t => path%effects%pivot_times, settings => simulation%settings)
          if (size(t) < 1) return
          if (t(1) <= 0 .and. t(size(t)) >= path%duration) return
-         call fail(error, code_input, place_of(settings%file, settings%line(moving_pivot_group))//'&moving_pivot: the table must ' &
-            //'cover the duration, 0 to '//shortest_text(path%duration)//' s; it goes from '//shortest_text(t(1))//' to ' &
-            //shortest_text(t(size(t)))//' s')
+         call fail(error, code_input, place_of(settings%file, settings%line(moving_pivot_group))// &
+            '&moving_pivot: the table must ' //'cover the duration, 0 to '//shortest_text(path%duration)// &
+            ' s; it goes from '//shortest_text(t(1))//' to ' //shortest_text(t(size(t)))//' s')
       end associate
    end subroutine check_table
 
@@ -290,25 +298,27 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (accuracy < accuracy_finest_quad) then
-         call fail(error, code_input, 'option --accuracy must be at least '//trim(digits_text(accuracy_finest_quad, 2)) &
-            //' for a scene in closed form, got '//digits_text(accuracy, 2))
+         call fail(error, code_input, 'option --accuracy must be at least '// &
+            trim(digits_text(accuracy_finest_quad, 2)) //' for a scene in closed form, got '//digits_text(accuracy, 2))
          return
       end if
       allocate (path%plan)
       associate (pendulum => simulation%pendulum)
          call new_orbit_to_accuracy(path%plan, pendulum%start, numbers%length, numbers%gravity, &
-            numbers%first(:pendulum%values), numbers%second(:pendulum%values), accuracy, path%duration, error, path%gravity_rest)
+            numbers%first(:pendulum%values), numbers%second(:pendulum%values), accuracy, path%duration, error, &
+            path%gravity_rest)
       end associate
       if (.not. allocated(error) .and. lost_phase(path) > max(accuracy, finest_of_parts)) &
          call fail(error, code_unsupported, '')
       if (allocated(error)) then
-         error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))//'&output: over ' &
-            //trim(digits_text(path%duration, 6))//' s '
+         error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))// &
+            '&output: over ' //trim(digits_text(path%duration, 6))//' s '
          if (is_asked) then
             error%message = error%message//'an accuracy of '//trim(digits_text(accuracy, 2)) &
                //' cannot be kept: rounding alone loses the phase by more; shorten duration'
          else
-            error%message = error%message//'no precision of this build can tell the phase of the motion; shorten duration'
+            error%message = error%message// &
+               'no precision of this build can tell the phase of the motion; shorten duration'
          end if
          return
       end if
@@ -317,12 +327,14 @@ contains
       if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
    end subroutine plan_accuracy
 
-   !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a double [rad].
+   !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a
+   !> double [rad].
    pure real(wp) function lost_phase(path)
       type(path_type), intent(in) :: path
 
       lost_phase = 0
-      if (path%effects%density_ratio > 0) lost_phase = epsilon(path%duration)**2/4*(sqrt(path%gravity/path%length)*path%duration)
+      if (path%effects%density_ratio > 0) lost_phase = &
+         epsilon(path%duration)**2/4*(sqrt(path%gravity/path%length)*path%duration)
    end function lost_phase
 
    !> The groups without a closed form, in words, blanks behind.
@@ -345,8 +357,8 @@ contains
       lowest_tension = (2*orbit%energy() - 3*orbit%gravity*orbit%turning%upper)/orbit%length
    end function lowest_tension
 
-   !> One period: of the height, of a plane swing to and fro, of a revolution of a conical pendulum; for the motion that never
-   !> reaches the top and for rest at it, 4 sqrt(l/g).
+   !> One period: of the height, of a plane swing to and fro, of a revolution of a conical pendulum; for the motion that
+   !> never reaches the top and for rest at it, 4 sqrt(l/g).
    pure real(wp) function default_duration(orbit) result(duration)
       type(orbit_type), intent(in) :: orbit
 
