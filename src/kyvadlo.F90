@@ -30,6 +30,11 @@ module kyvadlo
    use kyvadlo_start, only: new_orbit, start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, &
       start_energy_above_bottom, start_release, start_state
    use kyvadlo_string
+#ifndef KYVADLO_NO_REAL128
+   use kyvadlo_derivatives, only: derivatives_type_real128
+#endif
+   use kyvadlo_derivatives, only: derivatives_type, new_derivatives_from_heights, new_derivatives_from_gaps, &
+      new_derivatives_from_rises, new_derivatives_from_state
    use kyvadlo_accuracy
    use kyvadlo_periods, only: orbit_period_from_gaps, orbits_period_from_gaps
    implicit none

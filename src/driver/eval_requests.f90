@@ -6,7 +6,7 @@ module kyvadlo_eval_requests
    public :: request_type, requests, request_index, argument_count, most_arguments
 
    type :: request_type
-      character(len=16) :: name
+      character(len=26) :: name
       character(len=28) :: arguments   !! Names, separated by one blank
       character(len=48) :: results     !! Symbols, separated by one blank, or words
       character(len=96) :: domain      !! The rule whose breach gives NaN
@@ -20,6 +20,9 @@ module kyvadlo_eval_requests
    character(len=*), parameter :: incomplete_domain = 'm <= 1, or m sin(phi)^2 <= 1 from 0 to phi'
    character(len=*), parameter :: azimuth_domain = 'a bob at rest has no azimuth'
    character(len=*), parameter :: place_results = 'x y z vx vy vz'
+   character(len=*), parameter :: period_slopes = 'dT/dl dT/dg dT/da dT/db, then of lambda*T'
+   character(len=*), parameter :: position_slopes = '30: rows x y z vx vy vz, columns l g a b t'
+   character(len=*), parameter :: slope_domain = 'NaN where there is no derivative'
    character(len=*), parameter :: turning_results = 'z2 z1 z3 l+z2 l-z1 z1-z2 z3-z1 z3-l'
 
    type(request_type), parameter :: requests(*) = [ &
@@ -76,6 +79,13 @@ module kyvadlo_eval_requests
       request_type('position_gaps', 'l g l-z1 l+z2 t', place_results, ''), &
       request_type('position_rises', 'l g l+z1 l+z2 t', place_results, ''), &
       request_type('state', 'l g x y z vx vy vz t', place_results, ''), &
+      request_type('orbit_derivatives', 'l g z1 z2', period_slopes, slope_domain), &
+      request_type('orbit_derivatives_gaps', 'l g l-z1 l+z2', period_slopes, slope_domain), &
+      request_type('orbit_derivatives_rises', 'l g l+z1 l+z2', period_slopes, slope_domain), &
+      request_type('position_derivatives', 'l g z1 z2 t', position_slopes, slope_domain), &
+      request_type('position_derivatives_gaps', 'l g l-z1 l+z2 t', position_slopes, slope_domain), &
+      request_type('position_derivatives_rises', 'l g l+z1 l+z2 t', position_slopes, slope_domain), &
+      request_type('state_derivatives', 'l g x y z vx vy vz t', '54: rows x ... vz, columns x ... vz l g t', ''), &
       request_type('passage_height', 'l g z1 z2 z', 't', 'z2 <= z <= z1'), &
       request_type('passage_azimuth', 'l g z1 z2 phi', 't', 'phi >= 0, and no bob at rest')]
 

@@ -207,13 +207,24 @@ contains
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), intent(in) :: capacity  !! Of any size: what C calls -1 is the largest
       integer(c_int), intent(out) :: code
-      character(len=:), allocatable :: text
-      integer :: words, i, length
+      integer :: words
 
       orbit%hidden = 0
       words = storage_size(made)/storage_size(orbit%hidden)
       orbit%hidden(:words) = transfer(made, orbit%hidden, words)
       if (made%is_set_up()) call put_seal(orbit)
+      call give_message(error, message, capacity, code)
+   end subroutine deliver
+
+   !> The code of an error and its message in C's words.
+   subroutine give_message(error, message, capacity, code)
+      type(error_type), allocatable, intent(in) :: error
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_size_t), intent(in) :: capacity  !! Of any size: what C calls -1 is the largest
+      integer(c_int), intent(out) :: code
+      character(len=:), allocatable :: text
+      integer :: i, length
+
       code = 0
       text = ''
       if (allocated(error)) then
@@ -228,7 +239,7 @@ contains
          message(i) = text(i:i)
       end do
       message(length + 1) = c_null_char
-   end subroutine deliver
+   end subroutine give_message
 
    !> Puts the arguments' names of kyvadlo.h for those of scenes and of Fortran.
    pure subroutine name_as_in_c(text)

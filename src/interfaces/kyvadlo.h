@@ -109,6 +109,25 @@ int kyvadlo_orbit_from_release(double length, double gravity, double angle, doub
 int kyvadlo_orbit_from_state(double length, double gravity, const double position[3], const double velocity[3],
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 
+/* The motion and its exact derivatives at `count` times [s]. `states` takes x y z vx vy vz for each time; `matrices` their
+   derivatives, six rows for each time; `periods` the derivatives of T, then of lambda T. NaN stands where there is no
+   derivative; after a failed set-up, which the code and the message tell, everywhere. From a state the columns are
+   x y z vx vy vz l g t (matrices[count][6][9], periods[2][8]: no t), */
+int kyvadlo_derivatives_from_state(double length, double gravity, const double position[3], const double velocity[3],
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+/* and from the turning heights, gaps or rises, t counted from an upper turning point, l g, the two given values, t
+   (matrices[count][6][5], periods[2][4]). */
+int kyvadlo_derivatives_from_heights(double length, double gravity, double upper, double lower,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+int kyvadlo_derivatives_from_gaps(double length, double gravity, double top_gap, double bottom_gap,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+int kyvadlo_derivatives_from_rises(double length, double gravity, double upper_rise, double lower_rise,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+
 /* Lets kyvadlo_locate_many compute the positions of an orbit in single precision or with fewer terms, whichever keeps
    the accuracy at the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the
    accuracy of the greatest speed. From 3.6e-15 to 0.1, and once for an orbit; where that fails the orbit stays as it

@@ -47,6 +47,23 @@ static int answers(const kyvadlo_orbit *orbit)
   return numbers;
 }
 
+/* The matrix of a small swing is that of an oscillator; its columns of time are the velocity; a start off the sphere gives a code. */
+static void try_derivatives(void)
+{
+  double p[3] = {1e-9, 0, -2}, v[3] = {0, 0, 0}, t[2] = {0.7, 1.4}, states[12], matrices[108], periods[16], five[30];
+  char message[300];
+
+  check(kyvadlo_derivatives_from_state(2, 8, p, v, 2, t, states, matrices, periods, message, sizeof message) == KYVADLO_OK
+    && near(matrices[0], cos(1.4), 1e-12) && near(matrices[54 + 0], cos(2.8), 1e-12) && near(matrices[9 + 4], sin(1.4)/2, 1e-12)
+    && near(matrices[8], states[3], 1e-20) && near(periods[6], acos(-1.0)/8, 1e-9), "derivatives of a small swing");
+  check(kyvadlo_derivatives_from_heights(2, 8, 0.1, -1, 1, t, states, five, periods, message, sizeof message) == KYVADLO_OK
+    && near(five[4], states[3], 1e-12) && !isnan(periods[7]), "derivatives from heights");
+  check(kyvadlo_derivatives_from_gaps(2, 8, 0.1, 3, 1, t, states, five, periods, message, sizeof message) == KYVADLO_DOMAIN
+    && isnan(five[0]) && isnan(periods[0]) && strlen(message) > 20, "derivatives of no orbit");
+  check(kyvadlo_derivatives_from_rises(2, 8, 0.5, 0, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
+    && isnan(five[3]) && !isnan(five[2]), "a column without a derivative");
+}
+
 /* A struct that was never set up, or of which bytes have changed, answers NaN, and a code: 1b/10 item 10. */
 static void try_broken_orbits(void)
 {
@@ -174,6 +191,7 @@ int main(void)
         && strstr(kyvadlo_message(-1), "unknown") != NULL, "what codes mean");
 
   try_broken_orbits();
+  try_derivatives();
   printf("%d passed, %d failed\n", passes, failures);
   return failures != 0;
 }

@@ -1,0 +1,110 @@
+!> Derivatives of the motion for C (`kyvadlo.h`) and Fortran 77 (`KYVSTM`): set up and evaluated at all times in one
+!> call.
+module kyvadlo_derivatives_faces
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_size_t
+   use kyvadlo, only: derivatives_type, error_type => kyvadlo_error_type, new_derivatives_from_gaps, &
+      new_derivatives_from_heights, new_derivatives_from_rises, new_derivatives_from_state
+   use kyvadlo_c_orbits, only: give_message
+   implicit none
+   private
+   public :: kyvadlo_derivatives_from_heights, kyvadlo_derivatives_from_gaps, kyvadlo_derivatives_from_rises, &
+      kyvadlo_derivatives_from_state, kyvstm
+
+contains
+
+   function kyvadlo_derivatives_from_state(length, gravity, position, velocity, count, times, states, matrices, &
+      periods, message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity
+      real(c_double), intent(in) :: position(3), velocity(3)
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(9, 6, count), periods(8, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_state(derivatives, length, gravity, position, velocity, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_state
+
+   function kyvadlo_derivatives_from_heights(length, gravity, upper, lower, count, times, states, matrices, periods, &
+      message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, upper, lower
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_heights(derivatives, length, gravity, upper, lower, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_heights
+
+   function kyvadlo_derivatives_from_gaps(length, gravity, top_gap, bottom_gap, count, times, states, matrices, &
+      periods, message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, top_gap, bottom_gap
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_gaps(derivatives, length, gravity, top_gap, bottom_gap, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_gaps
+
+   function kyvadlo_derivatives_from_rises(length, gravity, upper_rise, lower_rise, count, times, states, matrices, &
+      periods, message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, upper_rise, lower_rise
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_rises(derivatives, length, gravity, upper_rise, lower_rise, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_rises
+
+   !> CALL KYVSTM(EL, G, X, V, T, XT, VT, DM, IER): position XT(3) and velocity VT(3) at the time T after the start
+   !> X(3), V(3), and the matrix DM(6,9) of their derivatives with respect to x, y, z, vx, vy, vz, l, g, t.
+   subroutine kyvstm(length, gravity, position, velocity, time, position_then, velocity_then, matrix, ier) bind(c, &
+      name='kyvstm_')
+      real(c_double), intent(in) :: length, gravity, position(3), velocity(3), time
+      real(c_double), intent(out) :: position_then(3), velocity_then(3), matrix(6, 9)
+      integer(c_int), intent(out) :: ier
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_state(derivatives, length, gravity, position, velocity, error)
+      call derivatives%evaluate(time, position_then, velocity_then, matrix)
+      ier = 0
+      if (allocated(error)) ier = int(error%code, c_int)
+   end subroutine kyvstm
+
+   !> The matrices row by row, as C stores them. After a set-up that failed all are NaN.
+   subroutine give_all(derivatives, times, states, matrices, periods)
+      type(derivatives_type), intent(in) :: derivatives
+      real(c_double), intent(in) :: times(:)
+      real(c_double), intent(out) :: states(:, :), matrices(:, :, :), periods(:, :)
+      real(c_double) :: matrix(6, size(matrices, 1))
+      integer :: i
+
+      do i = 1, size(times)
+         call derivatives%evaluate(times(i), states(1:3, i), states(4:6, i), matrix)
+         matrices(:, :, i) = transpose(matrix)
+      end do
+      call derivatives%of_period(periods(:, 1), periods(:, 2))
+   end subroutine give_all
+end module kyvadlo_derivatives_faces
