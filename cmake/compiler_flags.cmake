@@ -1,3 +1,9 @@
+# CMake 3.25 does not know how flang hands options to the linker.
+if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang" AND NOT CMAKE_Fortran_LINKER_WRAPPER_FLAG)
+  set(CMAKE_Fortran_LINKER_WRAPPER_FLAG "-Wl,")
+  set(CMAKE_Fortran_LINKER_WRAPPER_FLAG_SEP ",")
+endif()
+
 # The flags of all our sources, as one interface target. Contraction and automatic vectorisation change the last digits
 # (gfortran -O3 silently takes libmvec's 3.4-ulp sine), so both are off except in declared batch kernels.
 set(kyvadlo_flags_GNU -ffp-contract=off -fno-tree-vectorize -fno-semantic-interposition)

@@ -25,6 +25,9 @@ foreach(target IN LISTS installed_targets)
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${KYVADLO_MODDIR}>)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/modules/${target}/ DESTINATION ${KYVADLO_MODDIR} FILES_MATCHING PATTERN "*.mod")
 endforeach()
+if(TARGET kyvadlo_gsl AND CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")   # which reads all that its modules use
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/modules/kyvadlo_gsl/ DESTINATION ${KYVADLO_MODDIR} FILES_MATCHING PATTERN "*.mod")
+endif()
 # Shared libraries show our names only, and nothing of what they are made of.
 if(BUILD_SHARED_LIBS AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(names ${PROJECT_SOURCE_DIR}/cmake/public_names.ld)
