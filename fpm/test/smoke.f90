@@ -1,7 +1,7 @@
 !> Does this build work? Values in three kinds, an orbit, arrays. The tests of the digits are pFUnit files, which fpm cannot run.
 program smoke
    use, intrinsic :: iso_fortran_env, only: real32, real64, real128
-   use kyvadlo, only: elliptic_k, kyvadlo_error_type, new_orbit_from_heights, orbit_type
+   use kyvadlo, only: elliptic_k, kyvadlo_error_type, new_orbit_from_heights, orbit_type, orbit_type_real128
    implicit none
    type(orbit_type) :: orbit
    type(orbit_type_real128) :: wide

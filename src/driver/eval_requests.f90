@@ -6,7 +6,7 @@ module kyvadlo_eval_requests
    public :: request_type, requests, request_index, argument_count, most_arguments
 
    type :: request_type
-      character(len=26) :: name
+      character(len=28) :: name
       character(len=28) :: arguments   !! Names, separated by one blank
       character(len=48) :: results     !! Symbols, separated by one blank, or words
       character(len=96) :: domain      !! The rule whose breach gives NaN

@@ -3,6 +3,9 @@
 The orbit's numbers come from the differential equation: T and phi by quadrature of (5) and (17), the place by a Taylor
 series of Newton's equations.
 """
+import os
+import sys
+
 from mpmath import (mp, mpf, quad, sqrt, pi, ellipk, ellipe, ellipf, ellippi, ellipfun, elliprc, elliprf, elliprd,
                     elliprj, elliprg, jtheta, asin, exp, odefun, findroot, atan2)
 
@@ -113,6 +116,45 @@ flow2 = odefun(newton, 0, [mpf('0.6'), 0, mpf('-0.8'), 0, mpf(1), 0], tol=mpf('1
 row('state 1 2 0.6 0 -0.8 0 1 0 0.5', *flow2(t))
 row('passage_height 1 2 0.25 -0.75 -0.25', findroot(lambda s: flow(s)[2] + q4, mpf('0.6')))
 row('passage_azimuth 1 2 0.25 -0.75 1', findroot(lambda s: atan2(flow(s)[1], flow(s)[0]) - 1, mpf('0.4')))
+
+# Derivatives: central differences of the closed form at 100 digits (test/reference/exact_pendulum.py, which needs python-flint).
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'reference'))
+import exact_pendulum as exact  # noqa: E402
+
+mp.dps = 100
+
+
+def slopes(function, arguments):
+    """Rows of the matrix of derivatives."""
+    columns = []
+    for i in range(len(arguments)):
+        ends = []
+        for step in (mpf(10)**-30, -mpf(10)**-30):
+            ends.append(function(*[a + step*(j == i) for j, a in enumerate(arguments)]))
+        columns.append([(a - b)/mpf('2e-30') for a, b in zip(*ends)])
+    return [columns[j][i] for i in range(len(columns[0])) for j in range(len(columns))]
+
+
+for name, solver, a, b in (('', exact.gaps_from_heights, '0.25', '-0.75'), ('_gaps', exact.gaps_from_gaps, '0.75', '0.25'),
+                           ('_rises', exact.gaps_from_rises, '1.25', '0.25')):
+    def constants(*x):
+        values = exact.Orbit(solver(*x)).constants()
+        return [values[0], values[7]]
+
+    def place(l, g, u, v, t):
+        return exact.Orbit(solver(l, g, u, v)).position(t)
+    row('orbit_derivatives%s 1 2 %s %s' % (name, a, b), *slopes(constants, [mpf(1), mpf(2), mpf(a), mpf(b)]))
+    row('position_derivatives%s 1 2 %s %s 0.5' % (name, a, b), *slopes(place, [mpf(1), mpf(2), mpf(a), mpf(b), h]))
+
+
+def state(x, y, z, vx, vy, vz, l, g, t):
+    return exact.Motion(l, g, x, y, z, vx, vy, vz).state(t)
+
+
+# Not 0.6, -0.8: what the program reads are doubles, and 1/4 errors of theirs count here.
+row('state_derivatives 1 2 0.6 0 -0.8 0 1 0 0.5',
+    *slopes(state, [mpf(0.6), mpf(0), mpf(-0.8), mpf(0), mpf(1), mpf(0), mpf(1), mpf(2), h]))
+mp.dps = 40
 
 with open('eval_answers.txt', 'w') as out:
     out.write('# request = results; written by make_eval_answers.py\n')
