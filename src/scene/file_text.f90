@@ -34,10 +34,17 @@ module kyvadlo_file_text
 
 contains
 
+   pure integer function name_length(path)
+      character(len=*), intent(in) :: path
+
+      name_length = len(path)
+      if (path == '-') name_length = len('standard input')
+   end function name_length
+
    !> A path as messages name it.
    pure function file_name(path) result(name)
       character(len=*), intent(in) :: path
-      character(len=merge(14, len(path), path == '-')) :: name
+      character(len=name_length(path)) :: name
 
       name = path
       if (path == '-') name = 'standard input'

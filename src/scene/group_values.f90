@@ -192,10 +192,17 @@ contains
       call fail(error, code_input, place_of(group%file, line)//'&'//group%name//': '//message)
    end subroutine refuse
 
+   pure integer function length_of_takes(setting)
+      type(setting_type), intent(in) :: setting
+
+      length_of_takes = len_trim(setting%name) + len(' takes one number')
+      if (setting%values /= 1 .and. setting%rule /= rule_text) length_of_takes = length_of_takes - 1
+   end function length_of_takes
+
    !> `length takes one number`
    pure function takes(setting) result(text)
       type(setting_type), intent(in) :: setting
-      character(len=len_trim(setting%name) + merge(17, 16, setting%values == 1)) :: text
+      character(len=length_of_takes(setting)) :: text
 
       text = trim(setting%name)//' takes '//merge('one number', '3 numbers ', setting%values == 1)
       if (setting%rule == rule_text) text = trim(setting%name)//' takes one text'
