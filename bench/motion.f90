@@ -225,7 +225,8 @@ contains
 
       if (level == 0) write (unit, '(a)') &
          'Positions at 10240 times of one orbit, double precision, one thread. S is a scalar sine, measured beside;', &
-         'the floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector width.', &
+         'the floor is two sines, two cosines (vectorised, libmvec) and one division a point at the same vector '// &
+         'width.', &
          '', 'kernel      k**2    what                             ns       S   floors'
       call print_row('        floor', floor_row)
       call print_row('< 1/2   position', direct_row)

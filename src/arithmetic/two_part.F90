@@ -7,7 +7,8 @@
 !> `src/unit_orbit.F90`).
 !>
 !> There is no real32 instance: what real32 needs beyond its digits is computed in real64.
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__ + 0 == 1
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    __FINITE_MATH_ONLY__ + 0 == 1
 #error "kyvadlo cannot be compiled with -ffast-math, -Ofast or a part of them: (x + big) - big would become x"
 #endif
 

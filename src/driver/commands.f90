@@ -65,7 +65,8 @@ module kyvadlo_commands
          'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
       option_type('simulate', '--check', '', &
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
-      option_type('simulate', '--list', '', 'print every group and name of a scene with its meaning, unit and default'), &
+      option_type('simulate', '--list', '', &
+         'print every group and name of a scene with its meaning, unit and default'), &
       option_type('simulate', '--threads', 'N', &
          'that share the work: they gain where cores are idle (default 1; 0: all there are)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &

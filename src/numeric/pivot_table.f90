@@ -14,8 +14,8 @@ module kyvadlo_pivot_table
 contains
 
    !> Gives effects the motion of the pivot along a natural cubic spline: through all points, twice continuously
-   !> differentiable, without acceleration at its ends. Two points make a straight line. Fails on fewer and on times that do
-   !> not ascend.
+   !> differentiable, without acceleration at its ends. Two points make a straight line. Fails on fewer and on times
+   !> that do not ascend.
    subroutine new_pivot_table(effects, times, displacements, error)
       type(effects_type), intent(inout) :: effects
       real(wp), intent(in) :: times(:)             !! (n), strictly ascending [s]

@@ -40,6 +40,9 @@ long=$(files src | xargs wc -l | awk '$2 != "total" && $1 > 500 { print $2 ": " 
 wide=$(files src test examples | grep -E '\.(f90|F90|inc|pf|c|h)$' | tr '\n' '\0' |
    xargs -0 -r awk 'length($0) > 140 { print FILENAME ":" FNR ": " length($0) " columns" }')
 [ -z "$wide" ] || { printf 'lines over 140 columns:\n%s\n' "$wide"; breaches=$((breaches + 1)); }
+wide=$(files src bench | grep -E '\.(f90|F90|inc)$' | tr '\n' '\0' |
+   xargs -0 -r awk 'length($0) > 120 { print FILENAME ":" FNR ": " length($0) " columns" }')
+[ -z "$wide" ] || { printf 'Fortran lines of src and bench over 120 columns:\n%s\n' "$wide"; breaches=$((breaches + 1)); }
 
 # fpm finds the modules that a source uses in the source only, not in what it includes: they must be named there too.
 unnamed=$(for source in src/arithmetic/*.F90 src/elliptic/*.F90 src/pendulum/*.F90; do
