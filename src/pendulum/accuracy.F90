@@ -329,10 +329,18 @@ contains
       logical :: fit
 
       if (.not. allocated(plan%wide)) then
-         call plan%orbit%locate(time, x, y, z, vx, vy, vz, highest_level, threads)
+         if (present(vx) .or. present(vy) .or. present(vz)) then
+            call plan%orbit%locate(time, x, y, z, vx, vy, vz, highest_level, threads)
+         else
+            call plan%orbit%locate(time, x, y, z, highest_level=highest_level, threads=threads)
+         end if
          return
       end if
-      call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
+      if (present(vx) .or. present(vy) .or. present(vz)) then
+         call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
+      else
+         call check_sizes(size(time), fit, x, y, z)
+      end if
       if (.not. fit) return
       allocate (placed(min(size(time), strip), 6))
       do first = 1, size(time), strip
