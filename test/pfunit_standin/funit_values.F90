@@ -43,53 +43,13 @@ contains
    function flat_vector(x) result(f)
       class(*), intent(in) :: x(:)
       type(values_type) :: f
-      ! By the type of the whole: an element of a polymorphic array is read with the alignment of the widest type.
+      integer :: i
       allocate (f%v(size(x)))
       f%shape = shape(x)
-      f%v = 0
-      select type (x)
-      type is (integer(int8))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (integer(int16))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (integer(int32))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (integer(int64))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (real(real32))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (real(real64))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-#ifndef KYVADLO_WIDEST_IS_DOUBLE
-      type is (real(qp))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-#endif
-      type is (complex(real32))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (complex(real64))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-#ifndef KYVADLO_WIDEST_IS_DOUBLE
-      type is (complex(qp))
-         f%v = x
-         if (size(x) > 0) f%class = kind_of(x(1))
-#endif
-      type is (logical)
-         f%v = merge(1, 0, x)
-         if (size(x) > 0) f%class = kind_of(x(1))
-      type is (character(len=*))
-         if (size(x) > 0) f%class = kind_of(x(1))
-      class default
-         if (size(x) > 0) f%class = '?'
-      end select
+      if (size(x) > 0) f%class = kind_of(x(1))
+      do i = 1, size(x)
+         f%v(i) = one(x(i))
+      end do
    end function flat_vector
 
    function flat_matrix(x) result(f)
