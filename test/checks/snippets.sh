@@ -41,7 +41,7 @@ absent_tool() {
    done
    case $1 in
       *checks/style.sh*) command -v findent || command -v fortitude || command -v shellcheck || echo findent ;;
-      'cmake -S mine '*) ! grep -q 'LANGUAGES CXX' mine/CMakeLists.txt || command -v c++ || echo c++ ;;
+      'cmake -S mine '*) ! grep -q 'LANGUAGES CXX' "$scratch/session/mine/CMakeLists.txt" || command -v c++ || echo c++ ;;
    esac | sed '/\//d'
 }
 
