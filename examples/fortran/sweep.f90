@@ -46,19 +46,19 @@ contains
    pure real(wp) function apsidal_angle_of(i) result(angle)
       integer, intent(in) :: i
       real(wp), parameter :: steps(2) = [0.7548776662466927_wp, 0.5698402909980532_wp]
-      real(wp) :: gaps(2), top_gap, bottom_gap
+      real(wp) :: gaps(2), upper_gap, lower_rise
       type(orbit_type) :: orbit
       type(kyvadlo_error_type), allocatable :: error
 
       gaps = 2*modulo(i*steps, 1.0_wp)
-      ! l - z1 and l + z2: an orbit needs bottom_gap < top_gap <= 2 l - bottom_gap.
-      bottom_gap = minval(gaps)
-      top_gap = maxval(gaps)
-      if (top_gap + bottom_gap > 2) then
-         bottom_gap = 2 - maxval(gaps)
-         top_gap = 2 - minval(gaps)
+      ! l - z1 and l + z2: an orbit needs lower_rise < upper_gap <= 2 l - lower_rise.
+      lower_rise = minval(gaps)
+      upper_gap = maxval(gaps)
+      if (upper_gap + lower_rise > 2) then
+         lower_rise = 2 - maxval(gaps)
+         upper_gap = 2 - minval(gaps)
       end if
-      call new_orbit_from_gaps(orbit, 1.0_wp, 9.80665_wp, top_gap, bottom_gap, error)
+      call new_orbit_from_gaps(orbit, 1.0_wp, 9.80665_wp, upper_gap, lower_rise, error)
       angle = orbit%apsidal_angle()
    end function apsidal_angle_of
 end program sweep

@@ -57,6 +57,8 @@ contains
       if (.not. allocated(error)) call add_input(files, 'the scene', arguments%operands(1)%text)
       if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
       if (.not. allocated(error)) call read_simulation(arguments%operands(1)%text, simulation, error, pendulum)
+      if (allocated(simulation%pendulum%note) .and. .not. allocated(error)) &
+         call message('kyvadlo: '//simulation%pendulum%note)
       if (.not. allocated(error)) call check_all_files(arguments, simulation, files, error)
       if (.not. allocated(error)) call choose_path(simulation, path, error, accuracy, most_steps)
       if (allocated(path%note) .and. .not. allocated(error)) call message('kyvadlo: '//path%note)

@@ -151,6 +151,7 @@ contains
             call choose_pendulum(pendulums, option_value(arguments, '--pendulum', ''), error)
          if (allocated(error)) return
          do j = 1, size(pendulums)
+            if (allocated(pendulums(j)%note)) call message('kyvadlo: '//pendulums(j)%note)
             call orbit_from_pendulum(pendulums(j), orbit, error)
             if (allocated(error)) then
                error%message = place_of(pendulums(j)%file, pendulums(j)%line)//'&pendulum: '//error%message

@@ -86,7 +86,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(pendulum_type), allocatable :: more(:), all(:)
       type(text_type) :: note
-      integer :: i
+      integer :: i, j
 
       if (option_given(arguments, '--upper') .or. size(arguments%operands) == 0) &
          call parse_scene(built_in_scene, built_in_name, pendulums, error)
@@ -95,6 +95,9 @@ contains
          call read_scene(arguments%operands(i)%text, more, error, note)
          if (allocated(error)) return
          if (allocated(note%text)) call message('kyvadlo: '//note%text)
+         do j = 1, size(more)
+            if (allocated(more(j)%note)) call message('kyvadlo: '//more(j)%note)
+         end do
          allocate (all(size(pendulums) + size(more)))
          all(:size(pendulums)) = pendulums
          all(size(pendulums) + 1:) = more

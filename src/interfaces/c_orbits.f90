@@ -47,8 +47,9 @@ contains
       call deliver(made, error, orbit, message, capacity, code)
    end function kyvadlo_orbit_from_heights
 
-   function kyvadlo_orbit_from_gaps(length, gravity, top_gap, bottom_gap, orbit, message, capacity) result(code) bind(c)
-      real(c_double), value :: length, gravity, top_gap, bottom_gap
+   function kyvadlo_orbit_from_gaps(length, gravity, upper_gap, lower_rise, orbit, message, capacity) &
+      result(code) bind(c)
+      real(c_double), value :: length, gravity, upper_gap, lower_rise
       type(c_orbit_type), intent(out) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
@@ -56,7 +57,7 @@ contains
       type(orbit_type) :: made
       type(error_type), allocatable :: error
 
-      call new_orbit_from_gaps(made, length, gravity, top_gap, bottom_gap, error)
+      call new_orbit_from_gaps(made, length, gravity, upper_gap, lower_rise, error)
       call deliver(made, error, orbit, message, capacity, code)
    end function kyvadlo_orbit_from_gaps
 
@@ -179,7 +180,7 @@ contains
       if (has_seal(orbit) == 0) return
       own => seen(orbit)
       associate (t => own%turning)
-         values = [t%lower, t%upper, t%outer, t%lower_rise, t%top_gap, t%swing, t%outer_gap, t%outer_excess]
+         values = [t%lower, t%upper, t%outer, t%lower_rise, t%upper_gap, t%swing, t%outer_gap, t%outer_excess]
       end associate
    end subroutine kyvadlo_turning
 

@@ -45,9 +45,9 @@ contains
       call give_message(error, message, capacity, code)
    end function kyvadlo_derivatives_from_heights
 
-   function kyvadlo_derivatives_from_gaps(length, gravity, top_gap, bottom_gap, count, times, states, matrices, &
+   function kyvadlo_derivatives_from_gaps(length, gravity, upper_gap, lower_rise, count, times, states, matrices, &
       periods, message, capacity) result(code) bind(c)
-      real(c_double), value :: length, gravity, top_gap, bottom_gap
+      real(c_double), value :: length, gravity, upper_gap, lower_rise
       integer(c_size_t), value :: count, capacity
       real(c_double), intent(in) :: times(count)
       real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
@@ -56,7 +56,7 @@ contains
       type(derivatives_type) :: derivatives
       type(error_type), allocatable :: error
 
-      call new_derivatives_from_gaps(derivatives, length, gravity, top_gap, bottom_gap, error)
+      call new_derivatives_from_gaps(derivatives, length, gravity, upper_gap, lower_rise, error)
       call give_all(derivatives, times, states, matrices, periods)
       call give_message(error, message, capacity, code)
    end function kyvadlo_derivatives_from_gaps

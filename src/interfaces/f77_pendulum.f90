@@ -49,7 +49,7 @@ contains
       ier = code_of(error)
       associate (t => orbit%turning)
          roots = [t%upper, t%lower, t%outer]
-         gaps = [t%top_gap, t%upper_rise, t%lower_gap, t%lower_rise, t%outer_excess, t%swing, t%outer_gap]
+         gaps = [t%upper_gap, t%upper_rise, t%lower_gap, t%lower_rise, t%outer_excess, t%swing, t%outer_gap]
       end associate
    end subroutine kyvroo
 
@@ -67,15 +67,15 @@ contains
    end subroutine kyvset
 
    !> CALL KYVGAP(EL, G, H1, D2, WORK, LWORK, IER): the orbit with the gaps l-z1 and l+z2 into WORK.
-   subroutine kyvgap(length, gravity, top_gap, bottom_gap, work, work_size, ier) bind(c, name='kyvgap_')
-      real(c_double), intent(in) :: length, gravity, top_gap, bottom_gap
+   subroutine kyvgap(length, gravity, upper_gap, lower_rise, work, work_size, ier) bind(c, name='kyvgap_')
+      real(c_double), intent(in) :: length, gravity, upper_gap, lower_rise
       real(c_double), intent(inout) :: work(*)
       integer(c_int), intent(in) :: work_size
       integer(c_int), intent(out) :: ier
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
 
-      call new_orbit_from_gaps(orbit, length, gravity, top_gap, bottom_gap, error)
+      call new_orbit_from_gaps(orbit, length, gravity, upper_gap, lower_rise, error)
       call pack_orbit(orbit, error, work, work_size, ier)
    end subroutine kyvgap
 

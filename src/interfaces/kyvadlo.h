@@ -87,8 +87,8 @@ const char *kyvadlo_message(int code);
 /* The turning heights z1 >= z2 above the pivot [m]; z1 + z2 < 0. */
 int kyvadlo_orbit_from_heights(double length, double gravity, double upper, double lower,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
-/* The distances l - z1 and l + z2 to the highest and the lowest point [m]; bottom_gap < top_gap. */
-int kyvadlo_orbit_from_gaps(double length, double gravity, double top_gap, double bottom_gap,
+/* The distances l - z1 and l + z2 to the highest and the lowest point [m]; lower_rise < upper_gap. */
+int kyvadlo_orbit_from_gaps(double length, double gravity, double upper_gap, double lower_rise,
    kyvadlo_orbit *orbit, char *message, size_t capacity);
 /* The rises l + z1 >= l + z2 above the lowest point [m]: the input for small swings. */
 int kyvadlo_orbit_from_rises(double length, double gravity, double upper_rise, double lower_rise,
@@ -121,7 +121,7 @@ int kyvadlo_derivatives_from_state(double length, double gravity, const double p
 int kyvadlo_derivatives_from_heights(double length, double gravity, double upper, double lower,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
-int kyvadlo_derivatives_from_gaps(double length, double gravity, double top_gap, double bottom_gap,
+int kyvadlo_derivatives_from_gaps(double length, double gravity, double upper_gap, double lower_rise,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
 int kyvadlo_derivatives_from_rises(double length, double gravity, double upper_rise, double lower_rise,

@@ -103,19 +103,19 @@ contains
       end select
    end subroutine place_groups_rates
 
-   pure subroutine period_groups(level, groups, length, factor, top_gap, bottom_gap, period)
+   pure subroutine period_groups(level, groups, length, factor, upper_gap, lower_rise, period)
       integer, intent(in) :: level, groups
       real(real64), intent(in) :: length, factor
-      real(real64), intent(in), dimension(group_size*groups) :: top_gap, bottom_gap
+      real(real64), intent(in), dimension(group_size*groups) :: upper_gap, lower_rise
       real(real64), intent(out), dimension(group_size*groups) :: period
 
       select case (level)
       case (2)
-         call periods_v4(groups, length, factor, top_gap, bottom_gap, period)
+         call periods_v4(groups, length, factor, upper_gap, lower_rise, period)
       case (1)
-         call periods_v3(groups, length, factor, top_gap, bottom_gap, period)
+         call periods_v3(groups, length, factor, upper_gap, lower_rise, period)
       case default
-         call periods_baseline(groups, length, factor, top_gap, bottom_gap, period)
+         call periods_baseline(groups, length, factor, upper_gap, lower_rise, period)
       end select
    end subroutine period_groups
 

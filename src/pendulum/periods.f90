@@ -13,26 +13,26 @@ module kyvadlo_periods
 contains
 
    !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a fiftieth of
-   !> the time. NaN unless 0 <= bottom_gap < top_gap <= 2 l - bottom_gap, l > 0, g > 0.
+   !> the time. NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0.
    !> Error 3 ulp at worst (test/unit/test_periods.pf).
-   elemental real(real64) function orbit_period_from_gaps(length, gravity, top_gap, bottom_gap) result(period)
+   elemental real(real64) function orbit_period_from_gaps(length, gravity, upper_gap, lower_rise) result(period)
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
-      real(real64), intent(in) :: top_gap, bottom_gap  !! l - z1, l + z2 [m]
+      real(real64), intent(in) :: upper_gap, lower_rise  !! l - z1, l + z2 [m]
       real(real64) :: unit, factor
 
       period = quiet_nan
       ! == and /= never raise, also of NaN.
-      if (top_gap /= top_gap .or. bottom_gap /= bottom_gap) return
+      if (upper_gap /= upper_gap .or. lower_rise /= lower_rise) return
       call scale_lengths(length, gravity, unit, factor)
       if (factor /= factor) return
-      call period_point(length*unit, factor, top_gap*unit, bottom_gap*unit, period)
+      call period_point(length*unit, factor, upper_gap*unit, lower_rise*unit, period)
    end function orbit_period_from_gaps
 
    !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`. Arrays of different sizes
    !> give NaN.
-   subroutine orbits_period_from_gaps(length, gravity, top_gap, bottom_gap, period, highest_level, threads)
+   subroutine orbits_period_from_gaps(length, gravity, upper_gap, lower_rise, period, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
-      real(real64), intent(in), dimension(:) :: top_gap, bottom_gap     !! l - z1, l + z2 [m] (n)
+      real(real64), intent(in), dimension(:) :: upper_gap, lower_rise     !! l - z1, l + z2 [m] (n)
       real(real64), intent(out), dimension(:) :: period                 !! [s] (n)
       integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
       integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
@@ -40,7 +40,7 @@ contains
       integer :: block, blocks, orbits, level, sharing
 
       orbits = size(period)
-      if (size(top_gap) /= orbits .or. size(bottom_gap) /= orbits) then
+      if (size(upper_gap) /= orbits .or. size(lower_rise) /= orbits) then
          period = quiet_nan
          return
       end if
@@ -74,8 +74,8 @@ contains
          start = (block - 1)*block_size + 1
          last = min(orbits, start + block_size - 1)
          points = last - start + 1
-         top(:points) = top_gap(start:last)*unit
-         bottom(:points) = bottom_gap(start:last)*unit
+         top(:points) = upper_gap(start:last)*unit
+         bottom(:points) = lower_rise(start:last)*unit
          top(points + 1:) = length*unit
          bottom(points + 1:) = 0
          has_nan = any_time_beyond(level, block_size, top, huge(top))

@@ -18,6 +18,6 @@ module kyvadlo_built_in_scene
       '&pendulum name = "conical pendulum of 1 m at 60 degrees", length = 1, z_upper = -0.5, z_lower = -0.5 /'//nl// &
       '&pendulum name = "plane pendulum of 1 m, released at 120 degrees", length = 1, '// &
       'release_angle = 120, release_speed = 0 /'//nl// &
-      '&pendulum name = "pendulum of 1 m passing near the upright", length = 1, top_gap = 1e-6, bottom_gap = 1e-9 /'
+      '&pendulum name = "pendulum of 1 m passing near the upright", length = 1, upper_gap = 1e-6, lower_rise = 1e-9 /'
 
 end module kyvadlo_built_in_scene

@@ -216,7 +216,7 @@ contains
 
       text = ''
       do i = 1, size(settings)
-         if (settings(i)%group == group .and. settings(i)%now == '') text = trim(text)//', '//settings(i)%name
+         if (settings(i)%group == group) text = trim(text)//', '//settings(i)%name
       end do
       if (text == '') then
          text = '; it takes none'

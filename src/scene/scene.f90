@@ -9,6 +9,7 @@ module kyvadlo_scene
    type :: pendulum_type
       character(len=:), allocatable :: name      !! Title; `pendulum N` if the scene gives none
       character(len=:), allocatable :: file      !! Where it was read, for messages
+      character(len=:), allocatable :: note      !! Of a name that has another now; not allocated: there is none
       integer :: line = 0                        !! Of the group
       integer :: length_line = 0, gravity_line = 0, start_line = 0
       type(text_type) :: length                  !! l [m]

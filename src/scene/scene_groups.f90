@@ -5,7 +5,8 @@ module kyvadlo_scene_groups
       start_energy_above_bottom, start_release, start_state
    implicit none
    private
-   public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts
+   public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts, &
+      old_names, new_names
    public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, &
       rule_count, rule_text, rule_truth, rules
    public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, &
@@ -41,7 +42,6 @@ module kyvadlo_scene_groups
       character(len=6) :: unit
       character(len=80) :: meaning
       character(len=24) :: default         !! A number, or words; 'required' by its group
-      character(len=16) :: now = ''        !! The name that took its place
    end type setting_type
 
    type(setting_type), parameter :: settings(*) = [ &
@@ -50,8 +50,7 @@ module kyvadlo_scene_groups
       setting_type(pendulum_group, 'gravity', 1, rule_positive, 'm/s2', 'g, positive', '9.80665'), & ! CGPM 1901
       setting_type(pendulum_group, 'z_upper', 1, rule_any, 'm', 'z1', ''), &
       setting_type(pendulum_group, 'z_lower', 1, rule_any, 'm', 'z2', ''), &
-      setting_type(pendulum_group, 'top_gap', 1, rule_any, 'm', 'l - z1', ''), &
-      setting_type(pendulum_group, 'bottom_gap', 1, rule_any, 'm', 'l + z2', ''), &
+      setting_type(pendulum_group, 'upper_gap', 1, rule_any, 'm', 'l - z1', ''), &
       setting_type(pendulum_group, 'upper_rise', 1, rule_any, 'm', 'l + z1', ''), &
       setting_type(pendulum_group, 'lower_rise', 1, rule_any, 'm', 'l + z2', ''), &
       setting_type(pendulum_group, 'energy', 1, rule_any, 'm2/s2', 'c1', ''), &
@@ -101,16 +100,20 @@ module kyvadlo_scene_groups
       'by how much longer the pendulum is when it swings along x, not negative', '0'), &
       setting_type(anisotropic_support_group, 'extra_length_y', 1, rule_not_negative, 'm', 'the same along y', '0')]
 
-   !> A start is given by two names.
+   !> A start is given by two names. The first tells which it is.
    type :: start_type
       character(len=19) :: first, second
       integer :: values = 1              !! Values of each name: 1, or 3 for vectors
    end type start_type
 
+   !> Names of &pendulum until version 0.1, and those that took their places.
+   character(len=10), parameter :: old_names(*) = ['top_gap   ', 'bottom_gap']
+   character(len=10), parameter :: new_names(*) = ['upper_gap ', 'lower_rise']
+
    !> By the numbers `start_*` of the core.
    type(start_type), parameter :: starts(8) = [ &
       start_type('z_upper', 'z_lower'), &
-      start_type('top_gap', 'bottom_gap'), &
+      start_type('upper_gap', 'lower_rise'), &
       start_type('upper_rise', 'lower_rise'), &
       start_type('energy', 'momentum'), &
       start_type('energy_above_top', 'momentum'), &

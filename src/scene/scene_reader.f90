@@ -125,13 +125,27 @@ contains
    end subroutine choose_pendulum
 
    !> Takes the values of a group and finds its start.
-   pure subroutine pendulum_from_group(group, pendulum, error)
-      type(group_type), intent(in) :: group
+   pure subroutine pendulum_from_group(given, pendulum, error)
+      type(group_type), intent(in) :: given
       type(pendulum_type), intent(out) :: pendulum
       type(error_type), allocatable, intent(out) :: error
       type(value_of_name_type) :: values(size(settings))
+      type(group_type) :: group
       integer :: i, line
 
+      group = given
+      do i = 1, size(group%entries)
+         associate (entry => group%entries(i), old => findloc(old_names, group%entries(i)%name, 1))
+            if (old == 0) cycle
+            entry%name = trim(new_names(old))
+            if (allocated(pendulum%note)) then
+               pendulum%note = pendulum%note//', '
+            else
+               pendulum%note = place_of(group%file, entry%line)//'&pendulum: '
+            end if
+            pendulum%note = pendulum%note//trim(old_names(old))//' is now '//entry%name
+         end associate
+      end do
       pendulum%file = group%file
       pendulum%line = group%line
       call read_group(group, pendulum_group, values, error)
@@ -177,36 +191,43 @@ contains
       type(value_of_name_type), intent(in) :: values(size(settings))
       integer, intent(out) :: start               !! Place in `starts`
       type(error_type), allocatable, intent(out) :: error
-      integer :: i, j, momentum
+      integer :: i, j, other
 
       start = 0
       do i = 1, size(group%entries)
          do j = 1, size(starts)
-            ! `momentum` belongs to three starts: the other name tells which.
-            if (starts(j)%first == group%entries(i)%name .or. starts(j)%second == group%entries(i)%name &
-               .and. starts(j)%second /= 'momentum') then
-               if (start /= 0 .and. start /= j) then
-                  call refuse(error, group, group%entries(i)%line, &
-                     'two starts: '//pair(start)//' and '//pair(j)//'; give exactly one')
-                  return
-               end if
-               start = j
+            if (starts(j)%first /= group%entries(i)%name .and. &
+               (starts(j)%second /= group%entries(i)%name .or. count(starts%second == starts(j)%second) > 1)) cycle
+            if (start /= 0 .and. start /= j) then
+               call refuse(error, group, group%entries(i)%line, &
+                  'two starts: '//pair(start)//' and '//pair(j)//'; give exactly one')
+               return
             end if
+            start = j
          end do
       end do
-      momentum = line_of('momentum')
-      if (start == 0) then
-         if (momentum > 0) then
-            call refuse(error, group, group%line, 'momentum without energy, energy_above_top or energy_above_bottom')
-         else
-            call refuse(error, group, group%line, 'no start; give exactly one of '//all_starts())
+      ! A second name that several starts have tells nothing.
+      other = 0
+      do j = 1, size(starts)
+         if (line_of(starts(j)%second) == 0) cycle
+         if (start == 0) then
+            other = j
+         else if (starts(j)%second /= starts(start)%second) then
+            other = j
          end if
+      end do
+      if (start == 0 .and. other > 0) then
+         call refuse(error, group, line_of(starts(other)%second), trim(starts(other)%second)//' without '// &
+            firsts(starts(other)%second))
+      else if (start == 0) then
+         call refuse(error, group, group%line, 'no start; give exactly one of '//all_starts())
       else if (line_of(starts(start)%first) == 0) then
          call refuse(error, group, group%line, trim(starts(start)%second)//' without '//trim(starts(start)%first))
       else if (line_of(starts(start)%second) == 0 .and. start /= start_release) then
          call refuse(error, group, group%line, trim(starts(start)%first)//' without '//trim(starts(start)%second))
-      else if (starts(start)%second /= 'momentum' .and. momentum > 0) then
-         call refuse(error, group, momentum, 'two starts: '//pair(start)//' and momentum; give exactly one')
+      else if (other > 0) then
+         call refuse(error, group, line_of(starts(other)%second), 'two starts: '//pair(start)//' and '// &
+            trim(starts(other)%second)//'; give exactly one')
       end if
 
    contains
@@ -224,6 +245,22 @@ contains
 
       text = trim(starts(start)%first)//', '//trim(starts(start)%second)
    end function pair
+
+   !> The first names of the starts with a second name, blanks behind: `a, b or c`.
+   pure function firsts(second) result(text)
+      character(len=*), intent(in) :: second
+      character(len=25*size(starts)) :: text
+      integer :: i, last
+
+      text = ''
+      last = findloc(starts%second, second, 1, back=.true.)
+      do i = 1, last
+         if (starts(i)%second /= second) cycle
+         if (text /= '' .and. i < last) text = trim(text)//','
+         if (text /= '' .and. i == last) text = trim(text)//' or'
+         text = adjustl(trim(text)//' '//starts(i)%first)
+      end do
+   end function firsts
 
    !> Blanks behind.
    pure function all_starts() result(text)

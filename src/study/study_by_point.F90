@@ -142,7 +142,7 @@ contains
             call jacobi_evaluate(jacobi, rate*since(orbit, work%times(i), &
                anint(work%times(i)/orbit%period_pair%high)), sn, cn, dn, am)
             up = turning%lower_rise + turning%swing*(cn/dn)**2
-            down = turning%top_gap + turning%swing*orbit%complementary_parameter*(sn/dn)**2
+            down = turning%upper_gap + turning%swing*orbit%complementary_parameter*(sn/dn)**2
             phi = orbit%azimuth(work%times(i))
             call set_place(work, i, up, down, phi)
          end do
@@ -169,7 +169,7 @@ contains
       associate (turning => orbit%turning, m => orbit%parameter, mc => orbit%complementary_parameter)
          is_plane = .not. turning%lower_rise > 0
          if (.not. is_plane) then
-            n = [characteristic_type(turning%swing/turning%lower_gap, turning%top_gap/turning%lower_gap), &
+            n = [characteristic_type(turning%swing/turning%lower_gap, turning%upper_gap/turning%lower_gap), &
                characteristic_type(-turning%swing/turning%lower_rise, turning%upper_rise/turning%lower_rise)]
             factor = orbit%momentum()/(2*orbit%length*rate)/[turning%lower_gap, turning%lower_rise]
             half = factor(1)*complete_third(work%by, n(1), m, mc) + factor(2)*complete_third(work%by, n(2), m, mc)
@@ -183,7 +183,7 @@ contains
                phi = 2*turns*half + factor(1)*third(work%by, n(1), am, m, mc, sn, cn, dn) &
                   + factor(2)*third(work%by, n(2), am, m, mc, sn, cn, dn)
             end if
-            call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%top_gap + turning%swing*cn**2, &
+            call set_place(work, i, turning%lower_rise + turning%swing*sn**2, turning%upper_gap + turning%swing*cn**2, &
                phi)
          end do
       end associate

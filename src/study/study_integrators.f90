@@ -104,11 +104,11 @@ contains
       problem%gravity = work%start%gravity
       problem%momentum = orbit%momentum()/problem%length**2
       if (work%coordinates == cartesian) then
-         radius = sqrt(orbit%turning%upper_rise*orbit%turning%top_gap)
+         radius = sqrt(orbit%turning%upper_rise*orbit%turning%upper_gap)
          y = [radius, 0.0_c_double, orbit%turning%upper, 0.0_c_double, orbit%momentum()/radius, 0.0_c_double]
          system = fgsl_odeiv2_system_init(cartesian_rates, 6_fgsl_size_t, c_loc(problem), cartesian_jacobian)
       else
-         y = [2*atan2(sqrt(orbit%turning%upper_rise), sqrt(orbit%turning%top_gap)), 0.0_c_double, 0.0_c_double]
+         y = [2*atan2(sqrt(orbit%turning%upper_rise), sqrt(orbit%turning%upper_gap)), 0.0_c_double, 0.0_c_double]
          system = fgsl_odeiv2_system_init(spherical_rates, 3_fgsl_size_t, c_loc(problem), spherical_jacobian)
       end if
       ! A first step far below the shortest time scale; GSL adapts it at once.

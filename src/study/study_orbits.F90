@@ -83,7 +83,7 @@ contains
          start%length = real(exact%length, real64)
          start%gravity = real(exact%gravity, real64)
          start%by_rises = exact%turning%upper_rise < exact%length
-         start%first = real(merge(exact%turning%upper_rise, exact%turning%top_gap, start%by_rises), real64)
+         start%first = real(merge(exact%turning%upper_rise, exact%turning%upper_gap, start%by_rises), real64)
          start%second = real(exact%turning%lower_rise, real64)
          call set_up_orbit(start, study_orbit%orbit, error)
          if (.not. allocated(error)) call set_up_orbit(start, exact, error)

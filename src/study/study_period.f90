@@ -185,7 +185,7 @@ contains
          end do
       case (by_gaps_of_many)
          do i = 1, copies
-            gaps(i, 1) = top_gap(work%starts(i))
+            gaps(i, 1) = upper_gap(work%starts(i))
             gaps(i, 2) = work%starts(i)%second
          end do
          call orbits_period_from_gaps(work%starts(1)%length, work%starts(1)%gravity, gaps(:, 1), gaps(:, 2), work%found)
@@ -195,7 +195,7 @@ contains
                evaluations = work%count
                select case (work%method)
                case (by_gaps)
-                  work%found(i) = orbit_period_from_gaps(start%length, start%gravity, top_gap(start), start%second)
+                  work%found(i) = orbit_period_from_gaps(start%length, start%gravity, upper_gap(start), start%second)
                case (by_agm)
                   work%found(i) = agm_period(start, work%count)
                case (by_carlson)
@@ -222,11 +222,11 @@ contains
       work%sink = work%sink + work%found(copies) + real(work%quads(copies), real64)
    end subroutine period_pass
 
-   pure real(real64) function top_gap(start)
+   pure real(real64) function upper_gap(start)
       type(study_start_type), intent(in) :: start
 
-      top_gap = merge(2*start%length - start%first, start%first, start%by_rises)
-   end function top_gap
+      upper_gap = merge(2*start%length - start%first, start%first, start%by_rises)
+   end function upper_gap
 
    !> Relative.
    function period_error(work) result(error)

@@ -78,7 +78,7 @@ contains
       integer(c_int) :: status
       real(real64) :: modulus
 
-      modulus = sqrt((swings%lower_gap - swings%top_gap)/swings%outer_swing)
+      modulus = sqrt((swings%lower_gap - swings%upper_gap)/swings%outer_swing)
       status = fgsl_sf_ellint_kcomp_e(modulus, modes(mode), value)
       period = unit_time*value%val/sqrt(swings%outer_swing)
       if (status /= 0) period = ieee_value(period, ieee_quiet_nan)

@@ -11,7 +11,7 @@ module kyvadlo_study_period_methods
 
    !> What T depends on, formed by sums without cancellation, [S6.1].
    type :: swings_type
-      real(real64) :: upper_rise = 0, lower_rise = 0, top_gap = 0, lower_gap = 0 !! l + z1, l + z2, l - z1, l - z2 [m]
+      real(real64) :: upper_rise = 0, lower_rise = 0, upper_gap = 0, lower_gap = 0 !! l + z1, l + z2, l - z1, l - z2 [m]
       real(real64) :: outer_gap = 0, outer_swing = 0                             !! z3 - z1, z3 - z2 [m]
    end type swings_type
 
@@ -27,14 +27,14 @@ contains
       swings%lower_gap = 2*start%length - start%second
       if (start%by_rises) then
          swings%upper_rise = start%first
-         swings%top_gap = 2*start%length - start%first
+         swings%upper_gap = 2*start%length - start%first
       else
-         swings%top_gap = start%first
+         swings%upper_gap = start%first
          swings%upper_rise = 2*start%length - start%first
       end if
-      deficit = swings%top_gap - swings%lower_rise
+      deficit = swings%upper_gap - swings%lower_rise
       outer_excess = swings%upper_rise*swings%lower_rise/deficit
-      swings%outer_gap = outer_excess + swings%top_gap
+      swings%outer_gap = outer_excess + swings%upper_gap
       swings%outer_swing = outer_excess + swings%lower_gap
    end function swings_of
 
@@ -140,7 +140,7 @@ contains
       real(real64) :: a2, b2, sum
 
       swings = swings_of(start)
-      a2 = swings%upper_rise*swings%top_gap/start%length**2
+      a2 = swings%upper_rise*swings%upper_gap/start%length**2
       b2 = swings%lower_rise*swings%lower_gap/start%length**2
       sum = 1
       if (highest > 0) sum = sum + (a2 + b2)/16

@@ -212,14 +212,14 @@ bad 'bad.nml:2: unknown group &pendulm' '\n&pendulm /'
 bad 'bad.nml:2: &pendulum: unknown name z_uper' '&pendulum\nz_uper = 1 /'
 bad 'bad.nml:2: &pendulum: length given twice, first on line 1' '&pendulum length=1\nlength=1 /'
 bad 'bad.nml:1: &pendulum: no start' '&pendulum length=1 /'
-bad 'bad.nml:1: &pendulum: two starts: z_upper, z_lower and top_gap, bottom_gap' \
-   '&pendulum length=1 z_upper=0 z_lower=-1 top_gap=1 bottom_gap=0/'
+bad 'bad.nml:1: &pendulum: two starts: z_upper, z_lower and upper_gap, lower_rise' \
+   '&pendulum length=1 z_upper=0 z_lower=-1 upper_gap=1 lower_rise=0/'
 bad 'bad.nml:2: &pendulum: length must be positive, got -1' '&pendulum\nlength=-1 z_upper=0 z_lower=-1/'
 bad "bad.nml:1: &pendulum: length must be a finite number, got 'Infinity'" '&pendulum length=Infinity z_upper=0 z_lower=-1/'
 bad "bad.nml:1: &pendulum: z_upper must be a finite number, got '1e400' (too large for the double kind)" \
    '&pendulum length=1 z_upper=1e400 z_lower=-1/'
 for start in 'z_upper=-0.5 z_lower=0' 'z_upper=0.5 z_lower=-0.5' 'z_upper=0 z_lower=-1.5' 'z_upper=1 z_lower=-1' \
-   'top_gap=1 bottom_gap=1' 'top_gap=-1 bottom_gap=1' 'upper_rise=1 lower_rise=2' 'energy=-20 momentum=0' \
+   'upper_gap=1 lower_rise=1' 'upper_gap=-1 lower_rise=1' 'upper_rise=1 lower_rise=2' 'energy=-20 momentum=0' \
    'energy_above_bottom=-1 momentum=0' 'energy=0 momentum=1e6' 'position=0,0,-1.1 velocity=3*0' \
    'position=0.6,0,-0.8 velocity=-0.6,0,0.8' 'position=3*0 velocity=3*0'; do
    bad "bad.nml:2: &pendulum 'pendulum 1': " "&pendulum length=1\\n$start /"

@@ -100,18 +100,18 @@ contains
 
    !> The integration starts with rounded numbers, and the motion itself makes their error grow: near the top as exp(t sqrt(g/l)),
    !> over all by 1/(k'**2) in a period.
-   subroutine newton_row(name, top_gap, bottom_gap)
+   subroutine newton_row(name, upper_gap, lower_rise)
       character(len=*), intent(in) :: name
-      real(real128), intent(in) :: top_gap, bottom_gap
+      real(real128), intent(in) :: upper_gap, lower_rise
       type(orbit_type_real128) :: orbit
       type(error_type), allocatable :: error
       real(real64) :: distance, allowed
 
-      call new_orbit_from_gaps(orbit, 1.0_real128, 9.80665_real128, top_gap, bottom_gap, error)
-      distance = real(distance_from_newton(1.0_real128, 9.80665_real128, top_gap, bottom_gap), real64)
+      call new_orbit_from_gaps(orbit, 1.0_real128, 9.80665_real128, upper_gap, lower_rise, error)
+      distance = real(distance_from_newton(1.0_real128, 9.80665_real128, upper_gap, lower_rise), real64)
       allowed = real(100*epsilon(1.0_real128)*max(1.0_real128, orbit%complementary_modulus()**(-6)), real64)
-      write (output_unit, '(a)') '| '//name//' | '//number_text(real(top_gap, real64))//' l | ' &
-         //number_text(real(bottom_gap, real64))//' l | '//number_text(distance)//' | '//number_text(allowed)//' |'
+      write (output_unit, '(a)') '| '//name//' | '//number_text(real(upper_gap, real64))//' l | ' &
+         //number_text(real(lower_rise, real64))//' l | '//number_text(distance)//' | '//number_text(allowed)//' |'
       if (distance <= allowed) return
       broken = .true.
       write (error_unit, '(a)') 'Newton, '//name//': '//number_text(distance)

@@ -11,18 +11,18 @@ contains
 
    !> Worst distance of `locate` at 24 times over three periods, started at the upper turning point: positions in units of
    !> the length, velocities in units of the largest speed.
-   real(qp) function distance_from_newton(length, gravity, top_gap, bottom_gap) result(worst)
+   real(qp) function distance_from_newton(length, gravity, upper_gap, lower_rise) result(worst)
       real(qp), intent(in) :: length, gravity
-      real(qp), intent(in) :: top_gap, bottom_gap  !! l - z1, l + z2
+      real(qp), intent(in) :: upper_gap, lower_rise  !! l - z1, l + z2
       type(orbit_type_real128) :: orbit
       type(error_type), allocatable :: error
       real(qp), dimension(3) :: position, velocity, there, moving
       real(qp) :: radius, fastest, step
       integer :: i
 
-      call new_orbit_from_gaps(orbit, length, gravity, top_gap, bottom_gap, error)
+      call new_orbit_from_gaps(orbit, length, gravity, upper_gap, lower_rise, error)
       if (allocated(error)) error stop 'distance_from_newton: no orbit'
-      associate (h1 => top_gap, d2 => bottom_gap, d1 => 2*length - top_gap, h2 => 2*length - bottom_gap)
+      associate (h1 => upper_gap, d2 => lower_rise, d1 => 2*length - upper_gap, h2 => 2*length - lower_rise)
          ! (9): c2**2 = 2 g d1 d2 h1 h2/s, s = h1 - d2; the largest speed from the energy
          radius = sqrt(d1*h1)
          position = [radius, 0.0_qp, merge(d1 - length, length - h1, d1 < h1)]
