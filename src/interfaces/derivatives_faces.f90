@@ -98,12 +98,19 @@ contains
       type(derivatives_type), intent(in) :: derivatives
       real(c_double), intent(in) :: times(:)
       real(c_double), intent(out) :: states(:, :), matrices(:, :, :), periods(:, :)
-      real(c_double) :: matrix(6, size(matrices, 1))
-      integer :: i
+      integer, parameter :: most_times = 128
+      real(c_double) :: matrix(6, size(matrices, 1), most_times), position(3, most_times), velocity(3, most_times)
+      integer :: i, first, count
 
-      do i = 1, size(times)
-         call derivatives%evaluate(times(i), states(1:3, i), states(4:6, i), matrix)
-         matrices(:, :, i) = transpose(matrix)
+      do first = 1, size(times), most_times
+         count = min(most_times, size(times) - first + 1)
+         call derivatives%evaluate(times(first:first + count - 1), position(:, :count), velocity(:, :count), &
+            matrix(:, :, :count))
+         do i = 1, count
+            states(1:3, first + i - 1) = position(:, i)
+            states(4:6, first + i - 1) = velocity(:, i)
+            matrices(:, :, first + i - 1) = transpose(matrix(:, :, i))
+         end do
       end do
       call derivatives%of_period(periods(:, 1), periods(:, 2))
    end subroutine give_all

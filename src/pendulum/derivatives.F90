@@ -6,6 +6,8 @@ module kyvadlo_derivatives_real64
    use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_motion_kinds
+   use kyvadlo_threads, only: thread_count
+   use kyvadlo_batch_constants, only: block_size
    use kyvadlo_numbers_real64, only: quiet_nan
    use kyvadlo_pairs_real64
    use kyvadlo_status, only: error_type
@@ -20,6 +22,8 @@ module kyvadlo_derivatives_real128
       new_orbit_from_rises
    use kyvadlo_state_real128, only: new_orbit_from_state
    use kyvadlo_motion_kinds
+   use kyvadlo_threads, only: thread_count
+   use kyvadlo_batch_constants, only: block_size
    use kyvadlo_numbers_real128, only: quiet_nan
    use kyvadlo_pairs_real128
    use kyvadlo_status, only: error_type
