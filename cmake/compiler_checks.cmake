@@ -46,11 +46,3 @@ if(KYVADLO_WITH_REAL128 AND NOT KYVADLO_HAS_REAL128)
 elseif(NOT KYVADLO_WITH_REAL128)
   message(STATUS "no quadruple precision: --kind quad, `kyvadlo study` and kyvadlo-bench are left out")
 endif()
-
-# Whole numbers of 128 bits, with which doubles are written fast; without them slowly.
-check_source_compiles(Fortran "program long
-  implicit none
-  integer(selected_int_kind(38)) :: i
-  read *, i
-  print *, shiftr(i*5, 3)
-end program long" KYVADLO_HAS_INT128 SRC_EXT f90)

@@ -29,8 +29,7 @@ target_compile_options(kyvadlo_flags INTERFACE
   $<$<COMPILE_LANGUAGE:Fortran>:${kyvadlo_fortran_flags}>
   $<$<COMPILE_LANGUAGE:C>:${kyvadlo_c_flags}>)
 target_compile_definitions(kyvadlo_flags INTERFACE
-  $<$<NOT:$<BOOL:${KYVADLO_WITH_REAL128}>>:KYVADLO_NO_REAL128>
-  $<$<NOT:$<BOOL:${KYVADLO_HAS_INT128}>>:KYVADLO_NO_INT128>)
+  $<$<NOT:$<BOOL:${KYVADLO_WITH_REAL128}>>:KYVADLO_NO_REAL128>)
 # The C parts watch their stack and their buffers; addresses are bound when a program starts and cannot be written after that.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   target_compile_options(kyvadlo_flags INTERFACE $<$<COMPILE_LANGUAGE:C>:-fstack-protector-strong>
