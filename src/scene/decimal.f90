@@ -95,7 +95,8 @@ contains
       else if (high <= highest) then
          ! Twice the distance from the lower one, against the distance of the two.
          centre = centre - 2*low
-         if (centre > unit .or. (centre == unit .and. (.not. is_half .or. iand(first, 1_int64) == 1))) number = first + 1
+         if (centre > unit .or. (centre == unit .and. .not. (is_half .and. iand(first, 1_int64) == 0))) &
+            number = first + 1
       end if
 
       count = 1
