@@ -52,10 +52,12 @@ foreach(target IN LISTS installed_targets ITEMS kyvadlo_slatec kyvadlo_driver)
     endif()
   endif()
 endforeach()
-if(BUILD_SHARED_LIBS)
-  set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "${origin}/${libraries_from_program}")
+if(TARGET kyvadlo_driver)
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(kyvadlo_driver PROPERTIES INSTALL_RPATH "${origin}/${libraries_from_program}")
+  endif()
+  install(TARGETS kyvadlo_driver)
 endif()
-install(TARGETS kyvadlo_driver)
 
 install(EXPORT kyvadlo_targets NAMESPACE kyvadlo:: DESTINATION ${package_dir})
 # What the static libraries need of Fortran's run-time libraries.
@@ -68,7 +70,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/kyvadlo-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/kyvadlo-config.cmake ${PROJECT_BINARY_DIR}/kyvadlo-config-version.cmake
   DESTINATION ${package_dir})
 
-# pkg-config: kyvadlo for everything, kyvadlo_c for C and Fortran 77 without GSL. Paths are relative to the .pc file, so that
+# pkg-config: kyvadlo for everything, kyvadlo_core for the exact motion and the elliptic functions, kyvadlo_c for those from C
+# and Fortran 77; the latter two without GSL. Paths are relative to the .pc file, so that
 # the tree may be moved; what only the static libraries need is private: GSL, and for callers in C the run-time libraries of
 # Fortran.
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
@@ -87,5 +90,6 @@ function(kyvadlo_pkg_config pc_name pc_libs pc_requires_private)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 kyvadlo_pkg_config(kyvadlo "-lkyvadlo -lkyvadlo_c -lkyvadlo_core -lkyvadlo_elliptic" "${pc_gsl}")
+kyvadlo_pkg_config(kyvadlo_core "-lkyvadlo_core -lkyvadlo_elliptic" "")
 kyvadlo_pkg_config(kyvadlo_c "-lkyvadlo_c -lkyvadlo_core -lkyvadlo_elliptic" "")
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

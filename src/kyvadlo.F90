@@ -4,6 +4,7 @@
 !> the prefix of its family, so that it clashes with no name of the program that uses it.
 module kyvadlo
    use kyvadlo_status, only: kyvadlo_error_type => error_type, code_domain, code_input, code_file, code_unsupported
+   use kyvadlo_release, only: kyvadlo_version_linked, kyvadlo_version_number
    use kyvadlo_carlson
    use kyvadlo_complete
    use kyvadlo_complete_pi

@@ -216,6 +216,15 @@ contains
 
 end module kyvadlo_f77_pendulum
 
+!> CALL KYVVER(TEXT): the version of the library, as in '0.2.0'; TEXT is any CHARACTER variable, as in KYVMSG.
+subroutine kyvver(text)
+   use kyvadlo, only: kyvadlo_version_number
+   implicit none
+   character(len=*), intent(out) :: text
+
+   text = kyvadlo_version_number
+end subroutine kyvver
+
 !> CALL KYVMSG(IER, TEXT): what a code means; TEXT is any CHARACTER variable. An external procedure, since bind(c) would
 !> take the length of TEXT out of the call.
 subroutine kyvmsg(ier, text)

@@ -9,9 +9,17 @@
 
 #include <stddef.h>
 
+/* The version of this file; kyvadlo_version() tells that of the library that is linked. */
+#define KYVADLO_VERSION "0.2.0"
+#define KYVADLO_VERSION_MAJOR 0
+#define KYVADLO_VERSION_MINOR 2
+#define KYVADLO_VERSION_PATCH 0
+
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+const char *kyvadlo_version(void); /* "0.2.0", of the library */
 
 /* ---- Elliptic functions ------------------------------------------------------------------------------------------ */
 

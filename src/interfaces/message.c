@@ -1,5 +1,10 @@
-/* What the codes of kyvadlo.h mean. In C, as a constant text that lives for ever is C's to give. */
+/* Constant texts that live for ever, which are C's to give: the version, and what the codes of kyvadlo.h mean. */
 #include "kyvadlo.h"
+
+const char *kyvadlo_version(void)
+{
+   return KYVADLO_VERSION;
+}
 
 const char *kyvadlo_message(int code)
 {

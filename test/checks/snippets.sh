@@ -21,9 +21,11 @@ complain() { echo "$page:$line: $*"; bad=$((bad + 1)); }
 # Why a command is not run here; nothing for one that is.
 reason_against() {
    case $1 in
+      './bootstrap install '*) ;;      # of what is built
       './bootstrap '* | './bootstrap' | 'git clone '* | 'cd kyvadlo') echo 'CI runs it, on a fresh clone' ;;
       'cmake --workflow --preset '* | 'bash .ci/run'*) echo 'CI runs it' ;;
-      'cmake --preset '* | 'cmake --build '*' --target api_pages') echo 'the test api_pages_are_written does it' ;;
+      'cmake '*' part'* | 'part/'* | 'cmake -S fetched'*) echo 'the test part_of_another_project does it' ;;
+      'cmake --preset '* | 'cmake --build '*' --target kyvadlo_to_install' | 'cmake --build '*' --target api_pages') echo 'it is built; the test api_pages_are_written does the pages' ;;
       'cmake --build '*' --target '*_page) echo 'takes minutes; the tests accuracy_keeps_its_promises, hard_cases_keep_their_promises do it' ;;
       'cmake --build '*' --target pictures') echo 'the test pictures_are_drawn does it' ;;
       'sudo apt-get install '* | 'apt-get install '* | 'pip install '*) echo 'CI installs' ;;
@@ -153,6 +155,9 @@ while read -r n name_of_page line language name <&3; do
             absent=${absent:-$(absent_tool "$command")}      # what follows in the block needs it too
             [ -z "$absent" ] || why="$absent is not here"
             if [ -n "$why" ]; then echo "$page:$line: not run: $command ($why)"; continue; fi
+            case $command in
+               './bootstrap install '*) command="cmake --install build/release --prefix ${command##* }" ;;
+            esac
             printf '%s\n' "$command" >>"$scratch/script"
             run=$((run + 1))
          done 4<"$block"

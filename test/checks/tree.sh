@@ -82,9 +82,14 @@ for page in doc/*.md; do
    grep -q -F "($page)" README.md || { echo "README.md does not name $page"; breaches=$((breaches + 1)); }
 done
 
-# One version: fpm cannot read it from CMake.
+# One version: these cannot read it from CMake.
 version=$(sed -n 's/^project(kyvadlo VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-grep -q "^version = \"$version\"$" fpm.toml || { echo "fpm.toml is not of version $version"; breaches=$((breaches + 1)); }
+states() { grep -q "$2" "$1" || { echo "$1 is not of version $version"; breaches=$((breaches + 1)); }; }
+states fpm.toml "^version = \"$version\"$"
+states CITATION.cff "^version: $version$"
+states CHANGELOG.md "^## $version\( \|$\)"
+states src/release.f90 "kyvadlo_version_number = '$version'$"
+states src/interfaces/kyvadlo.h "^#define KYVADLO_VERSION \"$version\"$"
 
 [ "$breaches" -eq 0 ] || exit 1
 echo "$count files, no breach"

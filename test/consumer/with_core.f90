@@ -1,11 +1,18 @@
 !> A program of somebody else that needs the core only.
 program with_core
    use, intrinsic :: iso_fortran_env, only: real64
-   use kyvadlo, only: carlson_rf, elliptic_k, kyvadlo_error_type, new_orbit_from_heights, orbit_type
+   use kyvadlo, only: carlson_rf, elliptic_k, kyvadlo_error_type, kyvadlo_version_linked, kyvadlo_version_number, &
+      new_orbit_from_heights, orbit_type
    implicit none
    type(kyvadlo_error_type), allocatable :: error
    type(orbit_type) :: orbit
    real(real64) :: z
+   character(len=20) :: expected
+
+   ! The version that find_package found, if it is given.
+   call get_command_argument(1, expected)
+   if (expected /= '' .and. (kyvadlo_version_number /= expected .or. kyvadlo_version_linked() /= expected)) &
+      error stop 'another version'
 
    ! K(1/2) = RF(0, 1/2, 1) = 1.8540746773013719...
    call check(elliptic_k(0.5_real64))
