@@ -33,7 +33,9 @@ module kyvadlo_commands
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
       command_type('simulate', 'SCENE', 'the samples of a scene: places, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
-      command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit')]
+      command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit'), &
+      command_type('help', '[TOPIC]', 'what a scene may say: its form, effects and output; help of a command'), &
+      command_type('examples', '[NAME [FILE]]', 'the names of the example scenes; with NAME copies one into FILE')]
 
    type(option_type), parameter :: options(*) = [ &
       option_type('table', '--divisions', 'N', 'every quantity at the N+1 times that divide the period'), &
@@ -79,6 +81,7 @@ module kyvadlo_commands
       option_type('', '--help', '', 'print this help'), &
       option_type('-', '--version', '', 'print version, compiler and licence'), &
       option_type('-', '--manual-page', '', 'print the manual page, for man'), &
+      option_type('-', '--scene-page', '', 'print the manual page of scenes, kyvadlo-scene(5)'), &
       option_type('-', '--completion', '', 'print the completion of commands and options for bash')]
 
    type(example_type), parameter :: examples(*) = [ &
@@ -98,7 +101,10 @@ module kyvadlo_commands
       example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
       example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
       example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &
-         'for pendulums of your own')]
+         'for pendulums of your own'), &
+      example_type('help', 'kyvadlo help effects', 'what may act on a pendulum, and what it takes'), &
+      example_type('examples', 'kyvadlo examples', 'their names, and what they are about'), &
+      example_type('examples', 'kyvadlo examples foucault.nml -', 'one of them, on standard output')]
 
    type(explanation_type), parameter :: explanations(*) = [ &
       explanation_type('table', &
@@ -118,6 +124,11 @@ module kyvadlo_commands
       explanation_type('eval', &
          'NAME, requests are read from standard input, one a line, and each is answered by one'), &
       explanation_type('eval', 'line: the results, or `error: MESSAGE`. Exit status 1 if any request failed.'), &
+      explanation_type('help', 'TOPIC is scenes, effects, output or a command. The manual pages kyvadlo(1) and'), &
+      explanation_type('help', 'kyvadlo-scene(5) say the same.'), &
+      explanation_type('examples', &
+         'FILE is NAME in the current folder if it is not given, - is standard output. A file that is'), &
+      explanation_type('examples', 'there is not overwritten.'), &
       explanation_type('study', &
          'Positions, periods, turning heights and elliptic functions by our closed form and by what else'), &
       explanation_type('study', &

@@ -2,11 +2,14 @@
 module kyvadlo_help_pages
    use kyvadlo_commands, only: commands, examples, explanations, options
    use kyvadlo_eval_requests, only: requests
+   use kyvadlo_example_scenes, only: example_names
+   use kyvadlo_help_topics, only: has_topic, topics
+   use kyvadlo_roff, only: roff, upper_case
    use kyvadlo_text, only: text_sink_type
    use kyvadlo_version, only: licence, version
    implicit none
    private
-   public :: write_manual_page, write_completion
+   public :: topic_words, write_manual_page, write_completion
 
 contains
 
@@ -64,6 +67,8 @@ contains
       call sink%put('.SH EXIT STATUS')
       call sink%put('0; 1 if a request of eval failed; 2, with one message on standard error, for wrong usage or input')
       call sink%put('or a file that cannot be read or written.')
+      call sink%put('.SH SEE ALSO')
+      call sink%put('.BR kyvadlo-scene (5)')
       call sink%put('.SH COPYRIGHT')
       call sink%put(roff(licence)//'.')
 
@@ -123,6 +128,12 @@ contains
          call sink%put('      '//trim(commands(i)%name)//':-*)')
          call sink%put('         COMPREPLY=($(compgen -W "'//words(2:)//'" -- "$word")) ;;')
       end do
+      call sink%put('      help:*) COMPREPLY=($(compgen -W "'//topic_words()//'" -- "$word")) ;;')
+      words = ''
+      do i = 1, size(example_names)
+         words = words//' '//trim(example_names(i))
+      end do
+      call sink%put('      examples:*) COMPREPLY=($(compgen -W "'//words(2:)//'" -- "$word")) ;;')
       words = ''
       do i = 1, size(requests)
          words = words//' '//trim(requests(i)%name)
@@ -134,28 +145,20 @@ contains
       call sink%put('complete -o filenames -F _kyvadlo kyvadlo')
    end subroutine write_completion
 
-   !> A text that roff prints as it is.
-   pure function roff(text) result(safe)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: safe
+   !> What `help` may be asked about.
+   pure function topic_words() result(words)
+      character(len=:), allocatable :: words
       integer :: i
 
-      safe = ''
-      do i = 1, len(text)
-         select case (text(i:i))
-         case ('-')
-            safe = safe//'\-'
-         case ('\')
-            safe = safe//'\e'
-         case ('''')
-            safe = safe//'\(aq'
-         case ('`')
-            safe = safe//'\(ga'
-         case default
-            safe = safe//text(i:i)
-         end select
+      words = ''
+      do i = 1, size(topics)
+         if (has_topic(trim(topics(i)%name))) words = words//' '//trim(topics(i)%name)
       end do
-   end function roff
+      do i = 1, size(commands)
+         if (.not. has_topic(trim(commands(i)%name))) words = words//' '//trim(commands(i)%name)
+      end do
+      words = words(2:)
+   end function topic_words
 
    pure function blanks_for_bars(text) result(words)
       character(len=*), intent(in) :: text
@@ -167,16 +170,5 @@ contains
          if (text(i:i) == '|') words(i:i) = ' '
       end do
    end function blanks_for_bars
-
-   pure function upper_case(text) result(upper)
-      character(len=*), intent(in) :: text
-      character(len=len(text)) :: upper
-      integer :: i
-
-      upper = text
-      do i = 1, len(text)
-         if (text(i:i) >= 'a' .and. text(i:i) <= 'z') upper(i:i) = achar(iachar(text(i:i)) - 32)
-      end do
-   end function upper_case
 
 end module kyvadlo_help_pages

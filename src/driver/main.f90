@@ -2,7 +2,9 @@
 program kyvadlo_main
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
+   use kyvadlo_help_command, only: examples_command, help_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
+   use kyvadlo_help_topics, only: write_scene_page
    use kyvadlo_simulate_command, only: simulate_command
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, prepare_program
    use kyvadlo_status, only: error_type
@@ -37,6 +39,8 @@ contains
                call write_version(output)
             else if (option_given(arguments, '--manual-page')) then
                call write_manual_page(output)
+            else if (option_given(arguments, '--scene-page')) then
+               call write_scene_page(output, version)
             else
                call write_completion(output)
             end if
@@ -49,6 +53,10 @@ contains
                call table_command(arguments, error)
             case ('simulate')
                call simulate_command(arguments, error)
+            case ('help')
+               call help_command(arguments, error)
+            case ('examples')
+               call examples_command(arguments, error)
             case ('study')
                call study_command(arguments, error)
             case default

@@ -154,7 +154,7 @@ endif()
 
 # The program, its manual page and its completion.
 run(${WORK}/prefix/bin/kyvadlo eval K 0.5)
-foreach(file share/man/man1/kyvadlo.1 share/bash-completion/completions/kyvadlo include/kyvadlo.h)
+foreach(file share/man/man1/kyvadlo.1 share/man/man5/kyvadlo-scene.5 share/kyvadlo/examples/foucault.nml share/bash-completion/completions/kyvadlo include/kyvadlo.h)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

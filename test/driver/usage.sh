@@ -2,7 +2,7 @@
 . "$2/test/driver/expect.sh"
 
 fails 2 'no command' 
-fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, study" tabel
+fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, study, help, examples" tabel
 fails 2 "unknown command ''" ''
 fails 2 "unknown option '--frobnicate'" --frobnicate
 fails 2 "unknown option '--frobnicate'" eval --frobnicate
@@ -57,6 +57,51 @@ if command -v groff >/dev/null; then
    [ ! -s warnings ] || { complain 'groff must have nothing to say'; cat warnings; }
 fi
 fails 2 "unknown option '--manual-page'" eval --manual-page
+run --scene-page
+expect_status 0
+expect_in_out '.TH KYVADLO-SCENE 5'
+expect_in_out '.B density_ratio, must be given'
+if command -v groff >/dev/null; then
+   checks=$((checks + 1))
+   groff -man -Tascii -ww out >page 2>warnings
+   [ ! -s warnings ] || { complain 'groff must have nothing to say about scenes'; cat warnings; }
+fi
+
+# Offline, every name of a scene is explained, and every quantity.
+for topic in scenes effects output; do run help $topic; expect_status 0; cat out; done >topics
+run simulate --list
+sed -n 's/^| `\([a-z_]*\).*/\1/p' out | sort -u >names
+checks=$((checks + 1))
+[ "$(wc -l <names)" -gt 30 ] || complain 'names of settings expected'
+while read -r name; do
+   checks=$((checks + 1))
+   grep -q "^  $name\b" topics || complain "kyvadlo help must explain $name"
+done <names
+run help
+expect_in_out 'effects   what else may act'
+run help eval
+expect_in_out 'Usage: kyvadlo eval'
+fails 2 "unknown topic 'weather'; the topics are scenes, effects, output, table" help weather
+fails 2 'help takes one TOPIC' help scenes effects
+
+# The example scenes: listed, copied byte for byte, and no file is overwritten.
+run examples
+for scene in "$top"/examples/scenes/*; do
+   name=${scene##*/}
+   run examples
+   expect_in_out "$name "
+   run examples "$name" -
+   expect_status 0
+   checks=$((checks + 1))
+   cmp out "$scene" || complain "$name must come out as it is"
+done
+run examples foucault mine.nml
+expect_status 0
+run table mine.nml
+expect_in_out 'Foucault'
+fails 2 'mine.nml is there already' examples foucault mine.nml
+fails 2 "no example 'weather'; kyvadlo examples lists them" examples weather
+
 run --completion
 expect_status 0
 if command -v bash >/dev/null; then
