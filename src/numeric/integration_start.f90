@@ -20,17 +20,20 @@ contains
    !> An elastic rod or string starts anywhere, at any velocity; a string without elasticity anywhere inside its
    !> surface, or on it if the bob does not move outwards; a rod on its surface. A start next to the surface is put on
    !> it, a velocity next to its tangent plane into that.
-   subroutine begin_motion(forces, position, velocity, is_taut, slack, error)
+   subroutine begin_motion(forces, position, velocity, is_taut, slack, error, was_put)
       type(forces_type), intent(inout) :: forces
       real(wp), intent(inout) :: position(3), velocity(3)  !! Relative to the pivot [m], [m/s]
       logical, intent(out) :: is_taut                      !! Whether the rod or string acts
       real(wp), intent(out) :: slack                       !! If not: (radius**2 - distance**2)/2 [m2]
       type(error_type), allocatable, intent(out) :: error
+      logical, intent(out), optional :: was_put(2)         !! Whether position, velocity were put on the surface
       real(wp) :: distance, outward(3), bending, radial, unused(3)
-      logical :: is_string
+      logical :: is_string, put(2)
 
       is_taut = .true.
       slack = 0
+      put = .false.
+      if (present(was_put)) was_put = .false.
       is_string = forces%effects%is_string
       if (.not. (all(is_finite(position)) .and. all(is_finite(velocity)))) then
          call fail(error, code_domain, 'position and velocity must be finite')
@@ -44,6 +47,7 @@ contains
             if (abs(distance - radius) <= most_off*radius .and. .not. forces%is_elastic) then
                unused = 0
                call put_on_surface(forces%suspension, position, unused)
+               put(1) = .true.
                distance = radius
             end if
          else if (forces%is_elastic) then
@@ -58,8 +62,10 @@ contains
                //trim(short(radial))//' m/s of '//trim(short(speed))//' m/s')
          else
             call put_on_surface(forces%suspension, position, velocity)
+            put = .true.
          end if
          if (allocated(error)) return
+         if (present(was_put)) was_put = put
          if (is_string) is_taut = is_taut_at(forces, position, velocity, distance, radial)
          if (.not. is_taut .and. distance < radius*(1 - rounding)) slack = (radius - distance)*(radius + distance)/2
       end associate

@@ -6,7 +6,8 @@
 !>
 !> The integrator takes the steps that the tolerance asks for, however many times are asked for: where there are several
 !> in a step they are taken from a polynomial through the ends of the last steps (kyvadlo_dense_output), if it satisfies
-!> the equations of motion within the tolerance, and else from a step of their own.
+!> the equations of motion within the tolerance, and else from a step of their own. Derivatives with respect to
+!> `changes` of the start, length, gravity and effects come with it on request, by the variational equations.
 module kyvadlo_integrator
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
@@ -14,7 +15,9 @@ module kyvadlo_integrator
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type
    use kyvadlo_forces, only: forces_type, move, new_forces
-   use kyvadlo_pivot, only: next_knot
+   use kyvadlo_force_changes, only: change_type
+   use kyvadlo_pivot, only: next_knot, pivot_speed
+   use kyvadlo_integrated_columns
    use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_suspension, only: put_on_surface
    use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, &
@@ -26,13 +29,14 @@ module kyvadlo_integrator
    implicit none
    private
    public :: integration_type, new_integration, integrate
-   public :: failure_request, failure_short_step, failure_events, failure_steps
+   public :: failure_request, failure_short_step, failure_events, failure_steps, failure_tangential
 
    !> Why `advance` failed.
    integer, parameter :: failure_request = 1      !! It was called wrongly
    integer, parameter :: failure_short_step = 2   !! No step is short enough: the motion is singular there, or too stiff
    integer, parameter :: failure_events = 3       !! The string went slack too often
    integer, parameter :: failure_steps = 4        !! More steps than `most_steps`
+   integer, parameter :: failure_tangential = 5   !! There are no derivatives beyond an event met tangentially
    integer, parameter :: unknown = 0, by_polynomial = 1, by_steps = 2
 
    !> A run in progress. Read the public components; change none, and do not copy a run.
@@ -45,7 +49,9 @@ module kyvadlo_integrator
       integer :: failure = 0                           !! One of the `failure_*` constants after an error of `advance`
       real(wp) :: time = 0                             !! How far the integration got [s]
       real(wp) :: most_steps = huge(1.0_wp)            !! Taken and repeated; more fail
+      integer(int64) :: evaluations = 0                !! Of the right side, by GSL
       type(stepper_type), private :: stepper
+      type(columns_type), private :: columns
       type(contact_type), private :: contact
       type(interpolant_type), private :: interpolant
       real(wp), private :: tolerance = 0, unit_length = 1, unit_speed = 1
@@ -84,7 +90,7 @@ contains
    !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of
    !> a bob at rest there that nothing moves yet.
    subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, &
-      with_azimuth, azimuth, most_steps)
+      with_azimuth, azimuth, most_steps, changes)
       type(integration_type), intent(inout) :: run
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity           !! [m], [m/s2]
@@ -95,9 +101,10 @@ contains
       logical, intent(in), optional :: with_azimuth  !! Turns are counted, for `azimuths` of `advance` (default .false.)
       real(wp), intent(in), optional :: azimuth         !! Of the direction in which it will leave the axis [rad]
       real(wp), intent(in), optional :: most_steps      !! More steps, taken and repeated, fail
+      type(change_type), intent(in), optional :: changes(:) !! (p) for `matrices` of `advance`
       type(forces_type) :: forces
       real(wp) :: p(3), v(3), slack
-      logical :: is_taut, wants_work
+      logical :: is_taut, wants_work, was_put(2)
 
       call run%finish()
       call new_forces(forces, effects, length, gravity, error)
@@ -113,7 +120,7 @@ contains
          run%ends = effects%pivot_times(size(effects%pivot_times))
       end if
       if (allocated(error)) return
-      call begin_motion(forces, p, v, is_taut, slack, error)
+      call begin_motion(forces, p, v, is_taut, slack, error, was_put)
       if (allocated(error)) then
          error%message = 'integrate: '//error%message
          return
@@ -132,6 +139,9 @@ contains
       call begin_azimuth(run, forces, is_taut, p, v, azimuth)
       call new_stepper(run%stepper, forces, is_taut, wants_work, p, v, tolerance, [run%unit_length, run%unit_speed, &
          run%unit_speed**2], first_step*sqrt(length/gravity))
+      run%contact%closeness = 16*max(tolerance, 64*epsilon(tolerance))
+      if (present(changes)) call begin_columns(run%columns, run%stepper, changes, length, gravity, position, velocity, &
+         was_put, tolerance)
       allocate (run%events(8))
       if (.not. is_taut) then
          call append(run, string_event_type(kind=event_slack, position=p))
@@ -174,7 +184,7 @@ contains
    end subroutine count_from_here
 
    !> The motion at ascending times, none before those of the call before. At a failure what follows is NaN.
-   subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error, azimuths)
+   subroutine advance(run, times, positions, velocities, tensions, drag_work, pivot_work, error, azimuths, matrices)
       class(integration_type), intent(inout) :: run
       real(wp), intent(in) :: times(:)                           !! (n) from 0 on [s]
       real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n) relative to the pivot [m], [m/s]
@@ -182,6 +192,7 @@ contains
       real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n) on the bob since time 0, per mass [m2/s2]
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(out), optional :: azimuths(:)             !! (n) turns counted from step to step [rad]
+      real(wp), intent(out), optional :: matrices(:, :, :)       !! (6, p, n) derivatives by `changes`
       real(wp) :: gap
       integer :: i
 
@@ -196,9 +207,12 @@ contains
          call tell_failure(run, error)
          if (allocated(error)) exit
          call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
+         if (present(matrices)) call columns_now(run%columns, run%stepper, run%interpolant, times(i), &
+            run%between == by_polynomial, matrices(:, :, i))
          if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), velocities(1, i), &
             velocities(2, i), run%azimuth_before)
          run%last_time = times(i)
+         run%evaluations = run%stepper%problem%evaluations
       end do
       if (.not. allocated(error)) return
       positions(:, i:) = quiet_nan_real64
@@ -207,6 +221,7 @@ contains
       drag_work(i:) = quiet_nan_real64
       pivot_work(i:) = quiet_nan_real64
       if (present(azimuths)) azimuths(i:) = quiet_nan_real64
+      if (present(matrices)) matrices(:, :, i:) = quiet_nan_real64
    end subroutine advance
 
    !> Whether a time may be asked for.
@@ -239,6 +254,9 @@ contains
       case (failure_events)
          call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'// &
             listed([run%time]))
+      case (failure_tangential)
+         call fail(error, code_unsupported, 'integrate: the motion has no derivatives after the time'// &
+            listed([run%time])//', where the string goes slack or taut tangentially')
       case (failure_steps)
          call fail(error, code_unsupported, 'integrate: the steps came to an end at the time'//listed([run%time]))
       end select
@@ -273,15 +291,16 @@ contains
             call make_contact(stepper, run%contact, event)
             call append(run, event)
             if (run%event_count > most_events) run%failure = failure_events
+            if (run%contact%is_tangential) run%failure = failure_tangential
             if (run%failure > 0) return
-            call clear(run%interpolant)
+            call forget_steps(run)
             call note_step(run)
             run%has_contact = .false.
          end if
          if (run%is_at_knot) then
             ! The third derivative jumps here.
-            call clear(run%interpolant)
-            call add_node(run%interpolant, stepper%time, stepper%y(1:3), stepper%y(4:6), stepper%rates(4:6))
+            call forget_steps(run)
+            call note_step(run)
          end if
          knot = next_knot(stepper%problem%forces%effects, stepper%time)
          limit = knot
@@ -298,7 +317,7 @@ contains
          run%steps = run%steps + 1
          run%rejected = stepper%rejected
          if (is_far) then
-            call clear(run%interpolant)
+            call forget_steps(run)
             run%between = by_steps
             run%work_time = stepper%start
          else
@@ -318,12 +337,21 @@ contains
       if (.not. abs(run%first_azimuth) <= huge(run%azimuth)) run%first_azimuth = run%azimuth
    end subroutine turn_azimuth
 
+   !> No polynomial goes beyond here.
+   subroutine forget_steps(run)
+      type(integration_type), intent(inout) :: run
+
+      call clear(run%interpolant)
+      if (allocated(run%columns%interpolants)) call clear_columns(run%columns)
+   end subroutine forget_steps
+
    !> Remembers the end of a step.
    subroutine note_step(run)
       type(integration_type), intent(inout) :: run
 
       associate (stepper => run%stepper)
          call add_node(run%interpolant, stepper%time, stepper%y(1:3), stepper%y(4:6), stepper%rates(4:6))
+         if (allocated(run%columns%interpolants)) call note_columns(run%columns, stepper)
          run%between = unknown
          run%work_time = stepper%start
          run%work = works(run, stepper%start_y)
@@ -384,6 +412,9 @@ contains
          allowed = max(4*run%tolerance, 64*epsilon(h))
          if (defect*h**2*defect_to_position <= allowed*run%unit_length &
             .and. defect*h*defect_to_velocity <= allowed*run%unit_speed) run%between = by_polynomial
+         if (run%between == by_steps .or. .not. allocated(run%columns%interpolants)) return
+         if (.not. columns_fit(run%columns, run%stepper, problem%base + y(1:3), y(4:6), allowed)) &
+            run%between = by_steps
       end associate
    end subroutine choose_between
 
@@ -432,21 +463,6 @@ contains
       run%event_count = run%event_count + 1
       run%events(run%event_count) = event
    end subroutine append
-
-   !> Scale of the speed of the pivot.
-   pure real(wp) function pivot_speed(effects)
-      type(effects_type), intent(in) :: effects
-      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
-      integer :: k
-
-      pivot_speed = norm2(two_pi*effects%pivot_frequency*effects%pivot_amplitude)
-      if (.not. allocated(effects%pivot_times)) return
-      associate (t => effects%pivot_times, p => effects%pivot_displacements)
-         do k = 2, size(t)
-            pivot_speed = max(pivot_speed, norm2(p(:, k) - p(:, k - 1))/(t(k) - t(k - 1)))
-         end do
-      end associate
-   end function pivot_speed
 
    !> Numbers for a message, a blank before each.
    pure function listed(numbers) result(text)

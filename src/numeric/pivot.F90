@@ -4,7 +4,7 @@ module kyvadlo_pivot
    use kyvadlo_effects, only: effects_type
    implicit none
    private
-   public :: pivot_motion, pivot_rates, next_knot
+   public :: pivot_motion, pivot_rates, pivot_jerk, pivot_change, pivot_speed, next_knot
 
 contains
 
@@ -35,6 +35,52 @@ contains
 
 #include "pivot_rates.inc"
 
+   !> The third derivative of its displacement; at a knot of the table that behind it [m/s3].
+   pure function pivot_jerk(effects, time) result(jerk)
+      type(effects_type), intent(in) :: effects
+      real(wp), intent(in) :: time                          !! [s]
+      real(wp) :: jerk(3)
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
+      integer :: k
+
+      associate (rate => two_pi*effects%pivot_frequency)
+         jerk = effects%pivot_amplitude*rate**3*sin(rate*time + effects%pivot_phase)
+      end associate
+      if (.not. allocated(effects%pivot_times)) return
+      k = interval(effects%pivot_times, time)
+      associate (t => effects%pivot_times, c => effects%pivot_curvatures)
+         jerk = jerk + (c(:, k + 1) - c(:, k))/(t(k + 1) - t(k))
+      end associate
+   end function pivot_jerk
+
+   !> The changes of what `pivot_motion` gives with amplitude, frequency and phase.
+   pure subroutine pivot_change(effects, change, time, displacement, velocity, acceleration)
+      type(effects_type), intent(in) :: effects
+      type(effects_type), intent(in) :: change              !! Changes of its numbers
+      real(wp), intent(in) :: time                          !! [s]
+      real(wp), intent(out), dimension(3) :: displacement, velocity, acceleration
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
+      real(wp) :: rate, rate_change, angle_change, c, s
+      integer :: i
+
+      displacement = 0
+      velocity = 0
+      acceleration = 0
+      do i = 1, 3
+         rate_change = two_pi*change%pivot_frequency(i)
+         angle_change = rate_change*time + change%pivot_phase(i)
+         associate (amplitude => effects%pivot_amplitude(i), grown => change%pivot_amplitude(i))
+            if (.not. (abs(grown) > 0 .or. abs(angle_change) > 0 .or. abs(rate_change) > 0)) cycle
+            rate = two_pi*effects%pivot_frequency(i)
+            c = cos(rate*time + effects%pivot_phase(i))
+            s = sin(rate*time + effects%pivot_phase(i))
+            displacement(i) = grown*c - amplitude*s*angle_change
+            velocity(i) = -(grown*rate + amplitude*rate_change)*s - amplitude*rate*c*angle_change
+            acceleration(i) = -(grown*rate + 2*amplitude*rate_change)*rate*c + amplitude*rate**2*s*angle_change
+         end associate
+      end do
+   end subroutine pivot_change
+
    !> The knot of the table that comes next, where the third derivative jumps; huge without a table or after it [s].
    pure real(wp) function next_knot(effects, time)
       type(effects_type), intent(in) :: effects
@@ -50,5 +96,20 @@ contains
          end if
       end associate
    end function next_knot
+
+   !> Scale of the speed of the pivot.
+   pure real(wp) function pivot_speed(effects)
+      type(effects_type), intent(in) :: effects
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
+      integer :: k
+
+      pivot_speed = norm2(two_pi*effects%pivot_frequency*effects%pivot_amplitude)
+      if (.not. allocated(effects%pivot_times)) return
+      associate (t => effects%pivot_times, p => effects%pivot_displacements)
+         do k = 2, size(t)
+            pivot_speed = max(pivot_speed, norm2(p(:, k) - p(:, k - 1))/(t(k) - t(k - 1)))
+         end do
+      end associate
+   end function pivot_speed
 
 end module kyvadlo_pivot

@@ -3,18 +3,24 @@
 !>
 !> The force of rod or string follows from the surface it keeps the bob on, so no coordinate is singular at the lowest
 !> and highest points. What a step lets slip off the surface, a part of its error, is put back at its end.
+!>
+!> On request the derivatives of the motion with respect to parameters are integrated with it, by the variational
+!> equations (kyvadlo_force_changes): a column of six numbers for each, in the same steps, with their errors among those
+!> that choose the length of the step.
 module kyvadlo_stepper
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_force_changes, only: forces_change_type, move_changes
    use kyvadlo_forces, only: forces_type, move
-   use kyvadlo_suspension, only: put_on_surface
+   use kyvadlo_suspension, only: put_on_surface, surface_change
    use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
       fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, &
       fgsl_odeiv2_control, fgsl_odeiv2_control_scaled_new, fgsl_odeiv2_control_hadjust, fgsl_odeiv2_control_free
    implicit none
    private
-   public :: stepper_type, problem_type, new_stepper, free_stepper, take_step, trial_step, restart, unknowns
+   public :: stepper_type, problem_type, new_stepper, add_columns, free_stepper, take_step, trial_step, &
+      trial_with_columns, restart, unknowns
 
    !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
    integer, parameter :: unknowns = 8
@@ -33,6 +39,8 @@ module kyvadlo_stepper
       integer :: drag_work = 0        !! Its place among the unknowns; 0: not asked for
       integer :: pivot_work = 0
       integer :: unknowns = 6
+      integer(int64) :: evaluations = 0 !! Of the right side
+      type(forces_change_type), allocatable :: changes(:) !! (p) of columns that are integrated too
    end type problem_type
 
    !> GSL's arrays, of which the first `problem%unknowns` are there: known to be contiguous.
@@ -48,6 +56,12 @@ module kyvadlo_stepper
       real(wp) :: next = 0                  !! Length of the next step [s]
       real(wp) :: time_scale = 0            !! In which the bob moves by its length [s]
       integer(int64) :: rejected = 0        !! Steps repeated with a shorter length
+      !> Derivatives of position and velocity now, before the last step, and of the step that is tried; with their rates
+      real(wp), allocatable, dimension(:, :) :: columns, column_rates, start_columns, start_column_rates !! (6, p)
+      real(wp), allocatable, dimension(:, :) :: trial_columns, trial_column_rates                        !! (6, p)
+      !> The largest that each column has been, in units of the scales; not allocated: there are none
+      real(wp), allocatable :: sizes(:)
+      real(wp) :: scales(3) = 1             !! Of positions, velocities and works
       type(fgsl_odeiv2_system) :: system
       type(fgsl_odeiv2_step) :: step
       type(fgsl_odeiv2_control) :: control
@@ -92,18 +106,57 @@ contains
       stepper%y = [position, velocity, 0.0_wp, 0.0_wp]
       stepper%next = first_step
       stepper%time_scale = scales(1)/scales(2)
+      stepper%scales = scales
       call restart(stepper)
    end subroutine new_stepper
+
+   !> From the start on, columns too.
+   subroutine add_columns(stepper, changes, columns, sizes, tolerance)
+      type(stepper_type), intent(inout) :: stepper         !! As `new_stepper` leaves it
+      type(forces_change_type), intent(in) :: changes(:)   !! (p)
+      real(wp), intent(in) :: columns(:, :)                !! (6, p) at the start
+      real(wp), intent(in) :: sizes(:)                     !! (p) in units of the scales: errors are small beside them
+      real(wp), intent(in) :: tolerance
+      real(wp), allocatable :: scale(:)
+      integer :: n, p
+
+      n = stepper%problem%unknowns
+      p = size(changes)
+      stepper%problem%changes = changes
+      stepper%problem%forces%needs_pivot_velocity = stepper%problem%forces%has_moving_pivot
+      stepper%columns = columns
+      stepper%sizes = sizes
+      allocate (stepper%column_rates(6, p), stepper%trial_columns(6, p), stepper%trial_column_rates(6, p))
+      allocate (scale(n + 6*p))
+      scale(:n) = pack([spread(stepper%scales(1), 1, 3), spread(stepper%scales(2), 1, 3), &
+         spread(stepper%scales(3), 1, n - 6)], .true.)
+      scale(n + 1:) = pack(spread([spread(stepper%scales(1), 1, 3), spread(stepper%scales(2), 1, 3)], 2, p), .true.)
+      call free_gsl(stepper)
+      stepper%system = fgsl_odeiv2_system_init(right_side_with_columns, int(size(scale), c_size_t), &
+         c_loc(stepper%problem))
+      stepper%step = fgsl_odeiv2_step_alloc(fgsl_odeiv2_step_rk8pd, int(size(scale), c_size_t))
+      stepper%control = fgsl_odeiv2_control_scaled_new(tolerance, 0.0_wp, 1.0_wp, 0.0_wp, scale)
+      call restart(stepper)
+   end subroutine add_columns
 
    subroutine free_stepper(stepper)
       type(stepper_type), intent(inout) :: stepper
 
       if (.not. associated(stepper%problem)) return
+      call free_gsl(stepper)
+      deallocate (stepper%problem)
+      if (.not. allocated(stepper%sizes)) return
+      deallocate (stepper%columns, stepper%column_rates, stepper%start_columns, stepper%start_column_rates, &
+         stepper%trial_columns, stepper%trial_column_rates, stepper%sizes)
+   end subroutine free_stepper
+
+   subroutine free_gsl(stepper)
+      type(stepper_type), intent(inout) :: stepper
+
       call fgsl_odeiv2_control_free(stepper%control)
       call fgsl_odeiv2_step_free(stepper%step)
       call fgsl_odeiv2_system_free(stepper%system)
-      deallocate (stepper%problem)
-   end subroutine free_stepper
+   end subroutine free_gsl
 
    !> After a change of state or of the problem: the rates anew, and no step before.
    subroutine restart(stepper)
@@ -111,6 +164,11 @@ contains
 
       call find_rates(stepper%problem, stepper%time, stepper%y, stepper%rates)
       stepper%tension = stepper%problem%tension
+      if (allocated(stepper%sizes)) then
+         call find_column_rates(stepper%problem, stepper%time, stepper%y, stepper%columns, stepper%column_rates)
+         stepper%start_columns = stepper%columns
+         stepper%start_column_rates = stepper%column_rates
+      end if
       stepper%start = stepper%time
       stepper%start_y = stepper%y
       stepper%start_rates = stepper%rates
@@ -123,7 +181,7 @@ contains
       real(wp), intent(in) :: limit             !! Later than now [s]
       logical, intent(out) :: failed
       real(wp) :: h, wanted, ends, y(unknowns), rates(unknowns), errors(unknowns)
-      logical :: is_cut
+      logical :: is_cut, is_good
       integer :: n, status, change
 
       failed = .false.
@@ -135,10 +193,19 @@ contains
          if (is_cut) ends = limit
          ! Exact: times add up without error.
          h = ends - stepper%time
+         wanted = h
+         if (allocated(stepper%sizes)) then
+            call try_with_columns(stepper, h, y, rates, wanted, is_good)
+            if (is_good) exit
+            h = wanted
+            stepper%rejected = stepper%rejected + 1
+            if (.not. h > max(shortest*stepper%time_scale, spacing(stepper%time))) failed = .true.
+            if (failed) return
+            cycle
+         end if
          y = stepper%y
          status = fgsl_odeiv2_step_apply(stepper%step, stepper%time, h, y(:n), errors(:n), stepper%rates(:n), &
             rates(:n), stepper%system)
-         wanted = h
          ! An error that is a number says that the state is one.
          if (status == 0 .and. sum(abs(errors(:n))) <= huge(h)) then
             change = fgsl_odeiv2_control_hadjust(stepper%control, stepper%step, y(:n), errors(:n), rates(:n), wanted)
@@ -159,6 +226,57 @@ contains
       call accept(stepper, ends, y, rates)
    end subroutine take_step
 
+   !> A step with columns, their errors in units of the largest they have been; `wanted` is what GSL makes of the step.
+   subroutine try_with_columns(stepper, h, y, rates, wanted, is_good)
+      type(stepper_type), intent(inout) :: stepper
+      real(wp), intent(in) :: h
+      real(wp), intent(out) :: y(unknowns), rates(unknowns)
+      real(wp), intent(inout) :: wanted                    !! h before
+      logical, intent(out) :: is_good
+      real(wp), dimension(stepper%problem%unknowns + size(stepper%columns)) :: z, z_rates, errors
+      integer :: n, j, status, change
+
+      n = stepper%problem%unknowns
+      call step_joint(stepper, stepper%time, h, stepper%y, stepper%columns, stepper%rates, stepper%column_rates, z, &
+         z_rates, errors, status)
+      y = 0
+      rates = 0
+      y(:n) = z(:n)
+      rates(:n) = z_rates(:n)
+      is_good = status == 0 .and. sum(abs(errors)) <= huge(h)
+      if (is_good) then
+         do j = 1, size(stepper%sizes)
+            errors(n + 6*j - 5:n + 6*j) = errors(n + 6*j - 5:n + 6*j)/stepper%sizes(j)
+         end do
+         change = fgsl_odeiv2_control_hadjust(stepper%control, stepper%step, z, errors, z_rates, wanted)
+         is_good = .not. (change < 0 .and. wanted < h)
+         stepper%trial_columns = reshape(z(n + 1:), shape(stepper%columns))
+         stepper%trial_column_rates = reshape(z_rates(n + 1:), shape(stepper%columns))
+      else
+         wanted = h/2
+      end if
+   end subroutine try_with_columns
+
+   !> GSL's step of state and columns together.
+   subroutine step_joint(stepper, time, h, y, columns, rates, column_rates, z, z_rates, errors, status)
+      type(stepper_type), intent(in) :: stepper
+      real(wp), intent(in) :: time, h
+      real(wp), intent(in) :: y(unknowns), columns(:, :), rates(unknowns), column_rates(:, :)
+      real(wp), intent(out), contiguous :: z(:), z_rates(:), errors(:)
+      integer, intent(out) :: status
+      real(wp) :: old_rates(size(z))
+      integer :: n
+
+      n = stepper%problem%unknowns
+      z(:n) = y(:n)
+      z(n + 1:) = pack(columns, .true.)
+      old_rates(:n) = rates(:n)
+      old_rates(n + 1:) = pack(column_rates, .true.)
+      z_rates = 0
+      errors = 0
+      status = fgsl_odeiv2_step_apply(stepper%step, time, h, z, errors, old_rates, z_rates, stepper%system)
+   end subroutine step_joint
+
    !> One step of a given length from where the last one began, unchecked: for a place between its ends.
    subroutine trial_step(stepper, h, y, rates, tension)
       type(stepper_type), intent(in) :: stepper
@@ -166,8 +284,14 @@ contains
       real(wp), intent(out) :: y(unknowns), rates(unknowns)
       real(wp), intent(out) :: tension          !! [m/s2]
       real(wp) :: errors(unknowns)
+      real(wp), allocatable :: columns(:, :), column_rates(:, :)
       integer :: n, status
 
+      if (allocated(stepper%sizes)) then
+         allocate (columns, column_rates, mold=stepper%columns)
+         call trial_with_columns(stepper, h, y, rates, tension, columns, column_rates)
+         return
+      end if
       n = stepper%problem%unknowns
       y = stepper%start_y
       rates = 0
@@ -176,6 +300,30 @@ contains
       tension = stepper%problem%tension
       call put_back(stepper%problem, y)
    end subroutine trial_step
+
+   !> The same with columns.
+   subroutine trial_with_columns(stepper, h, y, rates, tension, columns, column_rates)
+      type(stepper_type), intent(in) :: stepper
+      real(wp), intent(in) :: h
+      real(wp), intent(out) :: y(unknowns), rates(unknowns), tension
+      real(wp), intent(out) :: columns(:, :), column_rates(:, :) !! (6, p)
+      real(wp), dimension(stepper%problem%unknowns + size(stepper%columns)) :: z, z_rates, errors
+      integer :: n, status
+
+      n = stepper%problem%unknowns
+      call step_joint(stepper, stepper%start, h, stepper%start_y, stepper%start_columns, stepper%start_rates, &
+         stepper%start_column_rates, z, z_rates, errors, status)
+      y = 0
+      rates = 0
+      y(:n) = z(:n)
+      rates(:n) = z_rates(:n)
+      tension = stepper%problem%tension
+      columns = reshape(z(n + 1:), shape(columns))
+      column_rates = reshape(z_rates(n + 1:), shape(column_rates))
+      call put_columns_back(stepper%problem, y, columns)
+      call put_back(stepper%problem, y)
+      column_rates(1:3, :) = columns(4:6, :)
+   end subroutine trial_with_columns
 
    !> Makes a state at a later time the present one.
    subroutine accept(stepper, time, y, rates)
@@ -190,9 +338,41 @@ contains
       stepper%y = y
       stepper%rates = rates
       stepper%tension = stepper%problem%tension
+      if (allocated(stepper%sizes)) call accept_columns(stepper)
       call put_back(stepper%problem, stepper%y)
       stepper%rates(1:3) = stepper%y(4:6)
    end subroutine accept
+
+   !> Those of the step that was tried, before its state is put back.
+   subroutine accept_columns(stepper)
+      type(stepper_type), intent(inout) :: stepper
+      integer :: j
+
+      stepper%start_columns = stepper%columns
+      stepper%start_column_rates = stepper%column_rates
+      stepper%columns = stepper%trial_columns
+      stepper%column_rates = stepper%trial_column_rates
+      call put_columns_back(stepper%problem, stepper%y, stepper%columns)
+      stepper%column_rates(1:3, :) = stepper%columns(4:6, :)
+      do j = 1, size(stepper%sizes)
+         stepper%sizes(j) = max(stepper%sizes(j), norm2(stepper%columns(1:3, j))/stepper%scales(1), &
+            norm2(stepper%columns(4:6, j))/stepper%scales(2))
+      end do
+   end subroutine accept_columns
+
+   !> What `put_back` makes of the columns.
+   pure subroutine put_columns_back(problem, y, columns)
+      type(problem_type), intent(in) :: problem
+      real(wp), intent(in) :: y(unknowns)                  !! Before it
+      real(wp), intent(inout) :: columns(:, :)
+      integer :: j
+
+      if (.not. problem%is_taut .or. problem%forces%is_elastic) return
+      do j = 1, size(problem%changes)
+         call surface_change(problem%forces%suspension, problem%changes(j)%suspension, y(1:3), y(4:6), &
+            columns(1:3, j), columns(4:6, j))
+      end do
+   end subroutine put_columns_back
 
    pure subroutine put_back(problem, y)
       type(problem_type), intent(in) :: problem
@@ -217,6 +397,20 @@ contains
       if (problem%pivot_work > 0) rates(problem%pivot_work) = powers(2)
    end subroutine find_rates
 
+   !> The variational equations, after `find_rates` for the same state.
+   pure subroutine find_column_rates(problem, time, y, columns, rates)
+      type(problem_type), intent(in) :: problem
+      real(wp), intent(in) :: time, y(:)
+      real(wp), intent(in) :: columns(:, :)
+      real(wp), intent(out) :: rates(:, :)
+      real(wp) :: accelerations(3, size(columns, 2)), tensions(size(columns, 2))
+
+      call move_changes(problem%forces, problem%changes, problem%is_taut, time, y(1:3), y(4:6), columns, &
+         accelerations, tensions)
+      rates(1:3, :) = columns(4:6, :)
+      rates(4:6, :) = accelerations
+   end subroutine find_column_rates
+
    !> dy/dt for GSL.
    function right_side(t, y, dydt, params) bind(c, name='') result(status)
       real(c_double), value :: t
@@ -229,7 +423,35 @@ contains
       call c_f_pointer(y, u)
       call c_f_pointer(dydt, du)
       call find_rates(problem, t, u%number, du%number)
+      problem%evaluations = problem%evaluations + 1
       status = 0
    end function right_side
+
+   !> The same with columns behind the state.
+   function right_side_with_columns(t, y, dydt, params) bind(c, name='') result(status)
+      real(c_double), value :: t
+      type(c_ptr), value :: y, dydt, params
+      integer(c_int) :: status
+      real(c_double), pointer, contiguous :: u(:), du(:), columns(:, :), rates(:, :)
+      type(problem_type), pointer :: problem
+      real(wp) :: state(unknowns), state_rates(unknowns)
+      integer :: n, p
+
+      call c_f_pointer(params, problem)
+      n = problem%unknowns
+      p = size(problem%changes)
+      call c_f_pointer(y, u, [n + 6*p])
+      call c_f_pointer(dydt, du, [n + 6*p])
+      columns(1:6, 1:p) => u(n + 1:)
+      rates(1:6, 1:p) => du(n + 1:)
+      state = 0
+      state_rates = 0
+      state(:n) = u(:n)
+      call find_rates(problem, t, state, state_rates)
+      du(:n) = state_rates(:n)
+      call find_column_rates(problem, t, state, columns, rates)
+      problem%evaluations = problem%evaluations + 1
+      status = 0
+   end function right_side_with_columns
 
 end module kyvadlo_stepper

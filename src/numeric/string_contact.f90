@@ -5,12 +5,18 @@
 !> between, and then located by steps of the integrator itself to the last digits. A string without elasticity takes the
 !> radial velocity, or gives it back reversed and times the coefficient of restitution; rebounds end by the rule of
 !> module kyvadlo_string.
+!>
+!> The derivatives of the motion go on through slack and an elastic taut as they are, since no force jumps there. At the
+!> others they take their jump (saltation), because a neighbouring motion arrives at another time: doc/effects.md. Where
+!> the bob only touches, a neighbour has no such event, and there is no derivative.
 module kyvadlo_string_contact
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_force_changes, only: tension_rate
    use kyvadlo_forces, only: move
    use kyvadlo_pivot, only: pivot_rates
-   use kyvadlo_suspension, only: put_on_surface, stretch, surface_excess
-   use kyvadlo_stepper, only: problem_type, restart, stepper_type, trial_step, unknowns
+   use kyvadlo_suspension, only: put_on_surface, stretch, stretch_change, surface_excess
+   use kyvadlo_stepper, only: problem_type, restart, stepper_type, trial_step, trial_with_columns, &
+      unknowns
    use kyvadlo_string, only: string_event_type, event_slack, event_taut, event_rebound, event_end_of_rattling
    implicit none
    private
@@ -25,6 +31,9 @@ module kyvadlo_string_contact
    type :: contact_type
       real(wp) :: unit_speed = 1       !! Scale of speeds [m/s]
       logical :: is_touching = .false. !! The tension only touched zero; it is watched again once it is positive
+      real(wp) :: closeness = 0        !! Relative error of a margin [1]
+      real(wp) :: left_with = 0        !! Radial speed after the last rebound, of a flight that began with one [m/s]
+      logical :: is_tangential = .false. !! The last event was, where there are derivatives
    end type contact_type
 
 contains
@@ -43,6 +52,10 @@ contains
       end if
       h = stepper%time - stepper%start
       call bracket(stepper, h, low, high)
+      if (.not. high > 0 .and. allocated(stepper%sizes)) then
+         call look_for_touch(stepper, contact, h)
+         found = contact%is_tangential
+      end if
       if (.not. high > 0) return
       at_high = margin_after(stepper, high)
       ! The points between were those of a polynomial; the integrator may see it otherwise.
@@ -62,6 +75,11 @@ contains
       stepper%rates(1:3) = stepper%y(4:6)
       ! A flight of no length is none.
       contact%is_touching = .not. root > 0 .and. .not. stepper%problem%is_taut
+      if (allocated(stepper%sizes)) then
+         call trial_with_columns(stepper, root, stepper%y, stepper%rates, stepper%tension, stepper%columns, &
+            stepper%column_rates)
+         contact%is_tangential = .not. root > 0
+      end if
       found = .true.
    end subroutine find_contact
 
@@ -99,6 +117,66 @@ contains
       low = h*(i - 1)/parts
       high = h*(i + x)/parts
    end subroutine bracket
+
+   !> Whether the margin vanishes at its least within a step without event: then motions next to this have one. The step
+   !> ends there.
+   subroutine look_for_touch(stepper, contact, h)
+      type(stepper_type), intent(inout) :: stepper
+      type(contact_type), intent(inout) :: contact
+      real(wp), intent(in) :: h
+      real(wp) :: low, high, at_low, at_high, x, y(unknowns), rates(unknowns), tension, scale
+      integer, parameter :: parts = 8
+      integer :: i
+
+      if (min(margin(stepper%problem, stepper%start_y, stepper%start_tension), margin(stepper%problem, stepper%y, &
+         stepper%tension)) > dip(stepper, h)) return
+      low = 0
+      high = 0
+      at_high = margin_rate(stepper%problem, stepper%start, stepper%start_y, stepper%start_rates)
+      do i = 1, parts
+         low = high
+         at_low = at_high
+         high = h*i/parts
+         call trial_step(stepper, high, y, rates, tension)
+         at_high = margin_rate(stepper%problem, stepper%start + high, y, rates)
+         if (at_low < 0 .and. at_high > 0) exit
+      end do
+      if (i > parts) return
+      ! At the least margin an error of its time counts squared.
+      x = high
+      do while (high - low > sqrt(epsilon(h))*h)
+         x = (low + high)/2
+         call trial_step(stepper, x, y, rates, tension)
+         if (margin_rate(stepper%problem, stepper%start + x, y, rates) < 0) then
+            low = x
+         else
+            high = x
+         end if
+      end do
+      associate (forces => stepper%problem%forces)
+         scale = forces%suspension%radius**2
+         if (stepper%problem%is_taut) scale = forces%inertia*(norm2(rates(4:6)) + forces%weight)
+         if (stepper%problem%is_taut .and. forces%is_elastic) scale = forces%effects%stiffness*forces%suspension%radius
+      end associate
+      if (.not. margin(stepper%problem, y, tension) <= contact%closeness*scale) return
+      contact%is_tangential = .true.
+      stepper%time = stepper%start + x
+   end subroutine look_for_touch
+
+   !> The rate at which the margin changes.
+   real(wp) function margin_rate(problem, time, y, rates) result(rate)
+      type(problem_type), intent(inout) :: problem
+      real(wp), intent(in) :: time, y(:), rates(:)
+      real(wp) :: distance, outward(3), bending, acceleration(3), tension, powers(2)
+
+      if (problem%is_taut) then
+         call move(problem%forces, .true., time, y(1:3), y(4:6), acceleration, tension, powers)
+         rate = tension_rate(problem%forces, time, y(1:3), y(4:6), rates(4:6))
+      else
+         call stretch(problem%forces%suspension, problem%base + y(1:3), y(4:6), distance, outward, bending)
+         rate = -distance*dot_product(outward, y(4:6))
+      end if
+   end function margin_rate
 
    !> How deep the margin may dip between the ends of a step, if it changes like the motion: second derivative times
    !> h**2/2, four times what a parabola could.
@@ -221,8 +299,12 @@ contains
       type(stepper_type), intent(inout) :: stepper
       type(contact_type), intent(inout) :: contact
       type(string_event_type), intent(out) :: event
-      real(wp) :: distance, outward(3), bending, radial, back, pivot_velocity(3), pivot_acceleration(3)
+      real(wp) :: distance, outward(3), bending, radial, back, pivot_velocity(3), pivot_acceleration(3), before(9)
 
+      before = [stepper%y(1:3) + stepper%problem%base, stepper%y(4:6), stepper%rates(4:6)]
+      back = 0
+      radial = 0
+      if (allocated(stepper%sizes)) call look_for_tangency(stepper, contact, before)
       associate (problem => stepper%problem, p => stepper%y(1:3), v => stepper%y(4:6))
          event%time = stepper%time
          event%kind = event_slack
@@ -265,8 +347,68 @@ contains
             call let_go(problem, p)
             call restart(stepper)
          end if
+         contact%left_with = back*radial
+         if (allocated(stepper%sizes) .and. event%kind /= event_slack .and. .not. problem%forces%is_elastic) &
+            call jump_columns(stepper, before, radial, back)
       end associate
    end subroutine make_contact
+
+   !> Whether an event is one that a motion next to this does not have: the margin passes zero with a slope that the
+   !> error of the margin and its bend could make vanish.
+   subroutine look_for_tangency(stepper, contact, before)
+      type(stepper_type), intent(in) :: stepper
+      type(contact_type), intent(inout) :: contact
+      real(wp), intent(in) :: before(9)         !! Position, velocity and acceleration before the event
+      real(wp) :: distance, outward(3), bending, scale, slope
+
+      associate (forces => stepper%problem%forces, p => before(1:3), v => before(4:6), a => before(7:9))
+         ! Of the second derivative of a distance.
+         scale = norm2(a) + forces%weight + dot_product(v, v)/forces%suspension%radius
+         if (stepper%problem%is_taut .and. .not. forces%is_elastic) then
+            slope = tension_rate(forces, stepper%time, p, v, a)/(forces%inertia*scale)*forces%suspension%radius
+         else
+            call stretch(forces%suspension, p, v, distance, outward, bending)
+            slope = dot_product(outward, v)
+         end if
+         if (.not. abs(slope) > sqrt(2*contact%closeness*scale*forces%suspension%radius)) contact%is_tangential = .true.
+         ! Ever smaller rebounds are none.
+         if (contact%left_with > 0 .and. slope > contact%closeness*contact%left_with) contact%is_tangential = .false.
+      end associate
+   end subroutine look_for_tangency
+
+   !> The jump of the columns where an inextensible string becomes taut. A motion next to this one arrives later by
+   !> `late`; until then it moves on as before, and where this one has gone on as after.
+   subroutine jump_columns(stepper, before, radial, back)
+      type(stepper_type), intent(inout) :: stepper    !! After the event
+      real(wp), intent(in) :: before(9)               !! Position, velocity and acceleration before it
+      real(wp), intent(in) :: radial, back            !! Radial speed before it, and the part that comes back
+      real(wp), dimension(3) :: outward, outward_change, moved, turned
+      real(wp) :: distance, bending, distance_change, bending_change, late, radial_change
+      integer :: j
+
+      associate (problem => stepper%problem, p => before(1:3), v => before(4:6), a => before(7:9))
+         call stretch(problem%forces%suspension, p, v, distance, outward, bending)
+         do j = 1, size(problem%changes)
+            associate (change => problem%changes(j))
+               moved = stepper%columns(1:3, j)
+               turned = stepper%columns(4:6, j)
+               call stretch_change(problem%forces%suspension, change%suspension, p, v, moved, turned, distance_change, &
+                  outward_change, bending_change)
+               late = (change%suspension%radius - distance_change)/radial
+               moved = moved + v*late
+               turned = turned + a*late
+               call stretch_change(problem%forces%suspension, change%suspension, p, v, moved, turned, distance_change, &
+                  outward_change, bending_change)
+               radial_change = dot_product(outward_change, v) + dot_product(outward, turned)
+               turned = turned - (1 + back)*(radial_change*outward + radial*outward_change)
+               if (back > 0) turned = turned - change%effects%restitution*radial*outward
+               stepper%columns(1:3, j) = moved - stepper%y(4:6)*late
+               stepper%columns(4:6, j) = turned - stepper%rates(4:6)*late
+            end associate
+         end do
+         call restart(stepper)
+      end associate
+   end subroutine jump_columns
 
    !> From here the bob flies, its place counted from here.
    pure subroutine let_go(problem, place)

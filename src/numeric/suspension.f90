@@ -11,6 +11,7 @@ module kyvadlo_suspension
    implicit none
    private
    public :: suspension_type, new_suspension, stretch, put_on_surface, surface_excess
+   public :: suspension_change_type, new_suspension_change, stretch_change, surface_change
 
    type :: suspension_type
       logical :: is_sphere = .true.
@@ -19,6 +20,14 @@ module kyvadlo_suspension
       real(wp) :: upper = 0           !! Height of the upper hinge [m]
       real(wp) :: apart = 0           !! Distance of the hinges [m]
    end type suspension_type
+
+   !> How a surface changes with a parameter. Of hinges at one height the one that rises is the upper one.
+   type :: suspension_change_type
+      logical :: is_none = .true.     !! It stays as it is
+      logical :: is_sphere = .true.   !! A sphere remains one
+      real(wp) :: radius = 0, upper = 0, apart = 0
+      integer :: long = 1, short = 2
+   end type suspension_change_type
 
 contains
 
@@ -121,5 +130,107 @@ contains
          excess = (q + change/2)*change + (start(short) + way(short)/2)*way(short)
       end associate
    end function surface_excess
+
+   !> The change of a surface with its length and extra lengths.
+   pure subroutine new_suspension_change(change, suspension, length, extra_length)
+      type(suspension_change_type), intent(out) :: change
+      type(suspension_type), intent(in) :: suspension
+      real(wp), intent(in) :: length           !! Change of the length
+      real(wp), intent(in) :: extra_length(2)  !! Changes of the extra lengths
+
+      change%is_none = .not. (abs(length) > 0 .or. any(abs(extra_length) > 0))
+      change%is_sphere = suspension%is_sphere .and. .not. any(abs(extra_length) > 0)
+      change%long = suspension%long
+      change%short = suspension%short
+      if (.not. suspension%apart > 0 .and. extra_length(change%short) > extra_length(change%long)) then
+         change%long = suspension%short
+         change%short = suspension%long
+      end if
+      change%radius = length + extra_length(change%short)
+      change%upper = extra_length(change%long)
+      change%apart = extra_length(change%long) - extra_length(change%short)
+   end subroutine new_suspension_change
+
+   !> The changes of what `stretch` gives, with those of position, velocity and surface.
+   pure subroutine stretch_change(suspension, change, position, velocity, moved, turned, distance, outward, bending)
+      type(suspension_type), intent(in) :: suspension
+      type(suspension_change_type), intent(in) :: change
+      real(wp), intent(in) :: position(3), velocity(3)
+      real(wp), intent(in) :: moved(3), turned(3)          !! Changes of position and velocity
+      real(wp), intent(out) :: distance, outward(3), bending
+      real(wp) :: s, o(3), b, arm(2), speed(2), e_change(2), speed_change(2), rho, q, q_rate, square
+      real(wp) :: rho_change, q_change, q_rate_change, rate, rate_change, top
+
+      call stretch(suspension, position, velocity, s, o, b)
+      rate = dot_product(o, velocity)
+      if (change%is_sphere) then
+         distance = dot_product(o, moved)
+         outward = (moved - distance*o)/s
+         rate_change = dot_product(outward, velocity) + dot_product(o, turned)
+         bending = (2*dot_product(velocity, turned) - 2*rate*rate_change - b*distance)/s
+         return
+      end if
+      associate (long => change%long, short => change%short)
+         arm = [position(long), position(3) - suspension%upper]
+         speed = [velocity(long), velocity(3)]
+         speed_change = [turned(long), turned(3)]
+         rho = norm2(arm)
+         arm = arm/rho
+         q = rho - suspension%apart
+         q_rate = dot_product(arm, speed)
+         e_change = [moved(long), moved(3) - change%upper]
+         rho_change = dot_product(arm, e_change)
+         e_change = (e_change - rho_change*arm)/rho
+         q_change = rho_change - change%apart
+         q_rate_change = dot_product(e_change, speed) + dot_product(arm, speed_change)
+         distance = (q*q_change + position(short)*moved(short))/s
+         outward(long) = (q_change*arm(1) + q*e_change(1) - o(long)*distance)/s
+         outward(3) = (q_change*arm(2) + q*e_change(2) - o(3)*distance)/s
+         outward(short) = (moved(short) - o(short)*distance)/s
+         rate_change = dot_product(outward, velocity) + dot_product(o, turned)
+         square = dot_product(speed, speed) - q_rate**2
+         top = 2*(q_rate*q_rate_change + velocity(short)*turned(short) - rate*rate_change) + (q_change*square &
+            + q*(2*(dot_product(speed, speed_change) - q_rate*q_rate_change) - square*rho_change/rho))/rho
+         bending = (top - b*distance)/s
+      end associate
+   end subroutine stretch_change
+
+   !> The changes of a state that `put_on_surface` puts on the surface, from those of the state before it.
+   pure subroutine surface_change(suspension, change, position, velocity, moved, turned)
+      type(suspension_type), intent(in) :: suspension
+      type(suspension_change_type), intent(in) :: change
+      real(wp), intent(in) :: position(3), velocity(3)     !! Before it
+      real(wp), intent(inout) :: moved(3), turned(3)
+      real(wp) :: distance, outward(3), bending, distance_change, outward_change(3), bending_change
+      real(wp) :: arm(2), e_change(2), rho, rho_change, q, q_change, radial
+
+      call stretch(suspension, position, velocity, distance, outward, bending)
+      call stretch_change(suspension, change, position, velocity, moved, turned, distance_change, outward_change, &
+         bending_change)
+      radial = dot_product(outward, velocity)
+      turned = turned - (dot_product(outward_change, velocity) + dot_product(outward, turned))*outward &
+         - radial*outward_change
+      associate (r => suspension%radius)
+         if (change%is_sphere) then
+            moved = change%radius*outward + r*outward_change
+            return
+         end if
+         associate (long => change%long, short => change%short)
+            arm = [position(long), position(3) - suspension%upper]
+            rho = norm2(arm)
+            arm = arm/rho
+            e_change = [moved(long), moved(3) - change%upper]
+            rho_change = dot_product(arm, e_change)
+            e_change = (e_change - rho_change*arm)/rho
+            q = r*(rho - suspension%apart)/distance
+            q_change = (change%radius*(rho - suspension%apart) + r*(rho_change - change%apart) &
+               - q*distance_change)/distance
+            arm = (q_change + change%apart)*arm + (q + suspension%apart)*e_change
+            moved(long) = arm(1)
+            moved(3) = change%upper + arm(2)
+            moved(short) = change%radius*outward(short) + r*outward_change(short)
+         end associate
+      end associate
+   end subroutine surface_change
 
 end module kyvadlo_suspension
