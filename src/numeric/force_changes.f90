@@ -182,10 +182,9 @@ contains
    end subroutine change_here
 
    !> The change of `mechanical_energy`.
-   pure real(wp) function energy_change(forces, change, gravity, time, position, velocity, column) result(energy)
+   pure real(wp) function energy_change(forces, change, time, position, velocity, column) result(energy)
       type(forces_type), intent(in) :: forces
       type(forces_change_type), intent(in) :: change
-      real(wp), intent(in) :: gravity                     !! [m/s2]
       real(wp), intent(in) :: time                        !! [s]
       real(wp), intent(in) :: position(3), velocity(3)    !! Relative to the pivot [m], [m/s]
       real(wp), intent(in) :: column(6)                   !! Their changes
