@@ -67,6 +67,64 @@ double kyvadlo_bulirsch_el3(double x, double kc, double p); /* Pi */
 void kyvadlo_sncndn(double u, double m, double *sn, double *cn, double *dn, double *am);
 void kyvadlo_sncndnc(double u, double mc, double *sn, double *cn, double *dn, double *am);
 
+/* The same of arrays: `count` values, the arguments and results of index i belong together. No array of results may
+   overlap another array. */
+void kyvadlo_elliptic_k_many(size_t count, const double *m, double *values);
+void kyvadlo_elliptic_kc_many(size_t count, const double *mc, double *values);
+void kyvadlo_elliptic_e_many(size_t count, const double *m, double *values);
+void kyvadlo_elliptic_ec_many(size_t count, const double *mc, double *values);
+void kyvadlo_elliptic_d_many(size_t count, const double *m, double *values);
+void kyvadlo_elliptic_dc_many(size_t count, const double *mc, double *values);
+void kyvadlo_elliptic_b_many(size_t count, const double *m, double *values);
+void kyvadlo_elliptic_bc_many(size_t count, const double *mc, double *values);
+void kyvadlo_elliptic_nome_many(size_t count, const double *m, double *values);
+void kyvadlo_elliptic_nomec_many(size_t count, const double *mc, double *values);
+void kyvadlo_carlson_rc_many(size_t count, const double *x, const double *y, double *values);
+void kyvadlo_elliptic_pi_many(size_t count, const double *n, const double *m, double *values);
+void kyvadlo_elliptic_pic_many(size_t count, const double *n, const double *mc, double *values);
+void kyvadlo_elliptic_f_many(size_t count, const double *phi, const double *m, double *values);
+void kyvadlo_elliptic_fc_many(size_t count, const double *phi, const double *mc, double *values);
+void kyvadlo_elliptic_einc_many(size_t count, const double *phi, const double *m, double *values);
+void kyvadlo_elliptic_eincc_many(size_t count, const double *phi, const double *mc, double *values);
+void kyvadlo_elliptic_dinc_many(size_t count, const double *phi, const double *m, double *values);
+void kyvadlo_elliptic_dincc_many(size_t count, const double *phi, const double *mc, double *values);
+void kyvadlo_elliptic_binc_many(size_t count, const double *phi, const double *m, double *values);
+void kyvadlo_elliptic_bincc_many(size_t count, const double *phi, const double *mc, double *values);
+void kyvadlo_jacobi_zeta_many(size_t count, const double *u, const double *m, double *values);
+void kyvadlo_jacobi_zetac_many(size_t count, const double *u, const double *mc, double *values);
+void kyvadlo_heuman_lambda_many(size_t count, const double *phi, const double *m, double *values);
+void kyvadlo_heuman_lambdac_many(size_t count, const double *phi, const double *mc, double *values);
+void kyvadlo_carlson_rf_many(size_t count, const double *x, const double *y, const double *z, double *values);
+void kyvadlo_carlson_rd_many(size_t count, const double *x, const double *y, const double *z, double *values);
+void kyvadlo_carlson_rg_many(size_t count, const double *x, const double *y, const double *z, double *values);
+void kyvadlo_elliptic_piinc_many(size_t count, const double *n, const double *phi, const double *m, double *values);
+void kyvadlo_elliptic_piincc_many(size_t count, const double *n, const double *phi, const double *mc, double *values);
+void kyvadlo_carlson_rj_many(size_t count, const double *x, const double *y, const double *z, const double *p,
+   double *values);
+void kyvadlo_bulirsch_cel_many(size_t count, const double *kc, const double *p, const double *a, const double *b,
+   double *values);
+void kyvadlo_bulirsch_el1_many(size_t count, const double *x, const double *kc, double *values);
+void kyvadlo_bulirsch_el2_many(size_t count, const double *x, const double *kc, const double *a, const double *b,
+   double *values);
+void kyvadlo_bulirsch_el3_many(size_t count, const double *x, const double *kc, const double *p, double *values);
+void kyvadlo_sncndn_many(size_t count, const double *u, const double *m, double *sn, double *cn, double *dn,
+   double *am);
+void kyvadlo_sncndnc_many(size_t count, const double *u, const double *mc, double *sn, double *cn, double *dn,
+   double *am);
+
+/* Jacobi's theta_i(v, q), i = 1 to 4, and its derivative along v, DLMF 20.2; of real v, and of complex v by its parts. */
+void kyvadlo_theta_many(size_t count, const int *i, const double *v, const double *q, double *values);
+void kyvadlo_theta_derivative_many(size_t count, const int *i, const double *v, const double *q, double *values);
+void kyvadlo_complex_theta_many(size_t count, const int *i, const double *v_re, const double *v_im, const double *q,
+   double *re, double *im);
+void kyvadlo_complex_theta_derivative_many(size_t count, const int *i, const double *v_re, const double *v_im,
+   const double *q, double *re, double *im);
+
+/* The distinct real roots of a x^3 + b x^2 + c x + d, ascending: roots[3*i], ... of the i-th, NaN behind them; found[i]
+   of them, -1 where there is no answer. */
+void kyvadlo_cubic_roots_many(size_t count, const double *a, const double *b, const double *c, const double *d,
+   double *roots, int *found);
+
 /* ---- Orbits ------------------------------------------------------------------------------------------------ */
 
 #define KYVADLO_ORBIT_SIZE 225

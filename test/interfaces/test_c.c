@@ -64,6 +64,56 @@ static void try_derivatives(void)
     && isnan(five[3]) && !isnan(five[2]), "a column without a derivative");
 }
 
+/* Every function of arrays against the function of one value, bit for bit, NaN and infinity among the arguments. */
+#define COUNT 9
+#define SAME(what, at_index) do { \
+    int same = 1; \
+    what; \
+    for (i = 0; i < COUNT; i++) { \
+      double one = at_index; \
+      same = same && (memcmp(&one, &f[i], sizeof one) == 0 || (isnan(one) && isnan(f[i]))); \
+    } \
+    check(same, #at_index); \
+  } while (0)
+#define ONE(name) SAME(kyvadlo_##name##_many(COUNT, a, f), kyvadlo_##name(a[i]))
+#define TWO(name) SAME(kyvadlo_##name##_many(COUNT, a, b, f), kyvadlo_##name(a[i], b[i]))
+#define THREE(name) SAME(kyvadlo_##name##_many(COUNT, a, b, c, f), kyvadlo_##name(a[i], b[i], c[i]))
+#define FOUR(name) SAME(kyvadlo_##name##_many(COUNT, a, b, c, d, f), kyvadlo_##name(a[i], b[i], c[i], d[i]))
+
+static void try_arrays(void)
+{
+  const double a[COUNT] = {0.3, 0, 1, -2, 0.7, INFINITY, NAN, 1.5, 0.1}, b[COUNT] = {0.4, 0.5, 1, 0.9, -3, 0.2, 0.1, 0.6, 0},
+    c[COUNT] = {0.6, 0.2, 2, 0.8, 0.5, 1, 0.3, 0.9, 0.5}, d[COUNT] = {1, -1, 0.5, 2, 3, 0, 1, 0.1, 0.2};
+  const int index[COUNT] = {1, 2, 3, 4, 0, 1, 2, 3, 4};
+  double f[COUNT], cn[COUNT], dn[COUNT], am[COUNT], roots[3 * COUNT];
+  int found[COUNT], i, good = 1;
+
+  ONE(elliptic_k); ONE(elliptic_kc); ONE(elliptic_e); ONE(elliptic_ec); ONE(elliptic_d); ONE(elliptic_dc); ONE(elliptic_b);
+  ONE(elliptic_bc); ONE(elliptic_nome); ONE(elliptic_nomec);
+  TWO(carlson_rc); TWO(elliptic_pi); TWO(elliptic_pic); TWO(elliptic_f); TWO(elliptic_fc); TWO(elliptic_einc);
+  TWO(elliptic_eincc); TWO(elliptic_dinc); TWO(elliptic_dincc); TWO(elliptic_binc); TWO(elliptic_bincc); TWO(jacobi_zeta);
+  TWO(jacobi_zetac); TWO(heuman_lambda); TWO(heuman_lambdac); TWO(bulirsch_el1);
+  THREE(carlson_rf); THREE(carlson_rd); THREE(carlson_rg); THREE(elliptic_piinc); THREE(elliptic_piincc); THREE(bulirsch_el3);
+  FOUR(carlson_rj); FOUR(bulirsch_cel); FOUR(bulirsch_el2);
+  kyvadlo_sncndn_many(COUNT, a, b, f, cn, dn, am);
+  for (i = 0; i < COUNT; i++) good = good && (isnan(a[i]) || isinf(a[i]) || near(f[i]*f[i] + cn[i]*cn[i], 1, 1e-15));
+  kyvadlo_sncndnc_many(COUNT, a, c, f, cn, dn, am);
+  for (i = 0; i < COUNT; i++) good = good && (isnan(a[i]) || isinf(a[i]) || near(f[i], sin(am[i]), 1e-15));
+  check(good && isnan(f[6]), "Jacobi's functions of arrays");
+  /* theta_3(1, 0.1) = 1 + 2 (0.1 cos 2 + 0.1**4 cos 4 + ...); complex arguments on the real line; cubics. */
+  kyvadlo_theta_many(1, index + 2, c + 5, a + 8, f);
+  check(near(f[0], 1 + 2*(0.1*cos(2) + 1e-4*cos(4) + 1e-9*cos(6)), 1e-15), "a theta function");
+  kyvadlo_theta_derivative_many(1, index + 2, c + 5, a + 8, cn);
+  check(near(cn[0], -4*(0.1*sin(2) + 2e-4*sin(4) + 3e-9*sin(6)), 5e-15), "its derivative");
+  kyvadlo_complex_theta_many(1, index + 2, c + 5, d + 5, a + 8, dn, am);
+  check(near(dn[0], f[0], 1e-15) && near(am[0], 0, 1e-15), "the same, complex");
+  kyvadlo_complex_theta_derivative_many(1, index + 2, c + 5, d + 5, a + 8, dn, am);
+  check(near(dn[0], cn[0], 1e-15) && near(am[0], 0, 1e-15), "its derivative, complex");
+  f[0] = 1; cn[0] = 0; dn[0] = -7; am[0] = 6;
+  kyvadlo_cubic_roots_many(1, f, cn, dn, am, roots, found);
+  check(found[0] == 3 && near(roots[0], -3, 1e-15) && near(roots[1], 1, 1e-15) && near(roots[2], 2, 1e-15), "a cubic");
+}
+
 /* A struct that was never set up, or of which bytes have changed, answers NaN, and a code: 1b/10 item 10. */
 static void try_broken_orbits(void)
 {
@@ -191,6 +241,7 @@ int main(void)
         && strstr(kyvadlo_message(-1), "unknown") != NULL, "what codes mean");
 
   try_broken_orbits();
+  try_arrays();
   try_derivatives();
   printf("%d passed, %d failed\n", passes, failures);
   return failures != 0;
