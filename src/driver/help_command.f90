@@ -33,8 +33,9 @@ contains
          call fail(error, code_input, 'help takes one TOPIC')
       else if (size(arguments%operands) == 1) then
          topic = arguments%operands(1)%text
-         if (.not. has_topic(topic) .and. .not. (any(commands%name == topic) .and. topic /= '')) call fail(error, code_input, &
-            "unknown topic '"//shown(topic)//"'; the topics are "//with_commas(topic_words()))
+         if (.not. has_topic(topic) .and. .not. (any(commands%name == topic) .and. topic /= '')) &
+            call fail(error, code_input, "unknown topic '"// &
+            shown(topic)//"'; the topics are "//with_commas(topic_words()))
       end if
       if (.not. allocated(error)) call open_output(output, '', error)
       if (allocated(error)) return

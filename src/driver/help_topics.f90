@@ -67,17 +67,20 @@ contains
       if (for_roff) call sink%put('.SH '//upper_case(name))
       select case (name)
       case ('scenes')
-         call put_lines('A scene is a text file in the form of Fortran''s namelists; ! begins a comment. All quantities are', &
+         call put_lines( &
+            'A scene is a text file in the form of Fortran''s namelists; ! begins a comment. All quantities are', &
             'in SI units, heights z are counted upwards from the pivot. For example:')
          call put_example()
-         call put_lines('Each &pendulum ... / is a pendulum: a length, and exactly one start, which takes two of these names:', '')
+         call put_lines('Each &pendulum ... / is a pendulum: a length, and one start by a pair of these names:', '')
          do i = 1, size(starts)
             call put_item(trim(starts(i)%first)//', '//trim(starts(i)%second), '')
          end do
-         call put_lines('z1 is the upper and z2 the lower turning height, l the length, g gravity, c1 the energy and c2 the', &
+         call put_lines( &
+            'z1 is the upper and z2 the lower turning height, l the length, g gravity, c1 the energy and c2 the', &
             'angular momentum about the vertical per mass. `kyvadlo examples` lists scenes to begin with.')
       case ('effects')
-         call put_lines('A group for each effect; without its group an effect is not there and costs nothing. What has a', &
+         call put_lines( &
+            'A group for each effect; without its group an effect is not there and costs nothing. What has a', &
             'closed form is computed by it, the rest is integrated by GSL. Each group may stand once in a scene.')
       case ('output')
          call put_lines('At most one &output in a scene says when and what `kyvadlo simulate` computes:', '')

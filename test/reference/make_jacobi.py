@@ -4,7 +4,7 @@
 Descending Landen transformation with the arithmetic-geometric mean (DLMF 22.20(ii)) at 60 digits beyond what the
 argument and the complementary parameter cancel; every twentieth row is compared with mpmath's ellipfun, which sums
 theta series.
-The sets are those of doc/accuracy.md."""
+The sets are those of doc/accuracy_tables.md."""
 import random
 from mpmath import mp, mpf, sqrt, sin, cos, asin, atan2, log10, ellipfun, nstr, frexp, ldexp, nint, pi, agm
 

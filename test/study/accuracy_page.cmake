@@ -1,4 +1,4 @@
-# Puts the study's summary and pictures into the page of accuracy, and its files beside it.
+# Puts the study's summary and pictures into the page of the tables of accuracy, and its files beside it.
 #
 #   cmake -DPAGE=page of ulp_table -DSUMMARY=output of kyvadlo study -DFOLDER=its folder -DDOC=doc -P accuracy_page.cmake
 file(READ ${PAGE} page)
@@ -44,4 +44,4 @@ In the pictures a point is a setting; the lower and the farther to the left, the
 
 ")
 string(REPLACE "${place}" "${section}${place}" page "${page}")
-file(WRITE ${DOC}/accuracy.md "${page}")
+file(WRITE ${DOC}/accuracy_tables.md "${page}")

@@ -1,4 +1,4 @@
-!> Prints the page doc/accuracy.md: the worst error of every function, set of arguments and kind against the references in
+!> Prints the page doc/accuracy_tables.md: the worst error of every function, set of arguments and kind against the references in
 !> test/reference, beside what is promised and what other libraries reach.
 !>
 !>     cd test/reference; ulp_table FILE...     (reference files without .dat)
@@ -49,7 +49,7 @@ program ulp_table
 contains
 
    subroutine write_head()
-      write (output_unit, '(a)') '# Accuracy', ''
+      write (output_unit, '(a)') '# Accuracy: the tables', ''
       call write_machine('cmake --build build/release --target accuracy_page')
       write (output_unit, '(a)') &
          'Errors are in units in the last place (ulps) of the result, the largest of all rows of a set. The references are', &
