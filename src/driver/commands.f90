@@ -50,8 +50,11 @@ module kyvadlo_commands
       option_type('table', '--pendulum', 'NAME', 'only the pendulum of this name or number'), &
       option_type('table', '--upper', 'A:B:N', 'a grid instead of scenes: N upper turning heights from A to B'), &
       option_type('table', '--lower', 'A:B:N', 'N lower turning heights from A to B'), &
-      option_type('table', '--length', 'L', 'length of the pendulum of the grid (default 1)'), &
-      option_type('table', '--gravity', 'G', 'gravity of the grid (default 9.80665)'), &
+      option_type('table', '--release-angle', 'A', &
+         'a pendulum instead of scenes: let go A degrees from straight down, -180 to 180'), &
+      option_type('table', '--release-speed', 'V', 'with this horizontal speed, across (default 0)'), &
+      option_type('table', '--length', 'L', 'length of that pendulum, or of the grid (default 1)'), &
+      option_type('table', '--gravity', 'G', 'gravity likewise (default 9.80665)'), &
       option_type('simulate', '--output', 'FILE', &
          'write FILE, NetCDF if it ends in .nc, instead of standard output; it appears when whole'), &
       option_type('simulate', '--events', 'FILE', &
@@ -92,6 +95,8 @@ module kyvadlo_commands
       example_type('table', 'kyvadlo table examples/scenes/laboratory.nml --kind quad', 'with 32 digits'), &
       example_type('table', 'kyvadlo table --upper -0.9:0.9:19 --lower -1:0:11', &
          'T, k, phi(T), lambda T over a grid'), &
+      example_type('table', 'kyvadlo table --release-angle 40 --release-speed 0.8 --length 1.2', &
+         'a pendulum by options'), &
       example_type('simulate', 'kyvadlo simulate examples/scenes/foucault.nml', 'one period as CSV'), &
       example_type('simulate', 'kyvadlo simulate examples/scenes/slack_string.nml --output -', &
          'a string that goes slack'), &

@@ -26,6 +26,7 @@ module kyvadlo_table_command
 #endif
    use kyvadlo_built_in_scene, only: built_in_name, built_in_scene
    use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
+   use kyvadlo_number_text, only: read_number
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_reader, only: choose_pendulum, parse_scene, read_scene
@@ -39,10 +40,13 @@ module kyvadlo_table_command
 #endif
    use kyvadlo_table_options, only: table_options_type
    use kyvadlo_version, only: with_quad
-   use kyvadlo_text, only: text_type
+   use kyvadlo_text, only: shown, text_type
    implicit none
    private
    public :: table_command
+
+   !> Characters of a number among the options of a pendulum.
+   integer, parameter :: longest_value = 400
 
 contains
 
@@ -88,8 +92,11 @@ contains
       type(text_type) :: note
       integer :: i, j
 
-      if (option_given(arguments, '--upper') .or. size(arguments%operands) == 0) &
+      if (option_given(arguments, '--release-angle')) then
+         call parse_scene(scene_of_options(arguments), 'options', pendulums, error)
+      else if (option_given(arguments, '--upper') .or. size(arguments%operands) == 0) then
          call parse_scene(built_in_scene, built_in_name, pendulums, error)
+      end if
       do i = 1, size(arguments%operands)
          if (.not. allocated(pendulums)) allocate (pendulums(0))
          call read_scene(arguments%operands(i)%text, more, error, note)
@@ -106,6 +113,17 @@ contains
       if (option_given(arguments, '--pendulum') .and. .not. allocated(error)) &
          call choose_pendulum(pendulums, option_value(arguments, '--pendulum', ''), error)
    end subroutine read_all
+
+   !> The scene that the options of a pendulum describe, blanks behind. Their values are numbers.
+   function scene_of_options(arguments) result(scene)
+      type(arguments_type), intent(in) :: arguments
+      character(len=200 + 4*longest_value) :: scene
+
+      scene = '&pendulum name="released at '//option_value(arguments, '--release-angle', '0')//' degrees" length='// &
+         option_value(arguments, '--length', '1')//' gravity='//option_value(arguments, '--gravity', '9.80665')// &
+         ' release_angle='//option_value(arguments, '--release-angle', '0')//' release_speed='// &
+         option_value(arguments, '--release-speed', '0')//'/'
+   end function scene_of_options
 
    !> Whether the files of the run go together.
    subroutine check_all_files(arguments, error)
@@ -173,7 +191,7 @@ contains
          call fail(error, code_input, 'options --data and --divisions exclude each other')
          return
       end if
-      call check_grid(arguments, options, error)
+      call check_starts(arguments, options, error)
       if (allocated(error)) return
       if (.not. option_given(arguments, '--output')) return
       name = option_value(arguments, '--output', '')
@@ -184,23 +202,56 @@ contains
       end if
    end subroutine read_options
 
-   !> The options of a grid, and those that it excludes.
-   subroutine check_grid(arguments, options, error)
+   !> The options of a grid or of a pendulum, and what they exclude.
+   subroutine check_starts(arguments, options, error)
       type(arguments_type), intent(in) :: arguments
       type(table_options_type), intent(in) :: options
       type(error_type), allocatable, intent(out) :: error
+      logical :: has_grid, has_release, has_scene
 
-      if (option_given(arguments, '--upper') .or. option_given(arguments, '--lower')) then
+      has_grid = option_given(arguments, '--upper') .or. option_given(arguments, '--lower')
+      has_release = option_given(arguments, '--release-angle') .or. option_given(arguments, '--release-speed')
+      has_scene = size(arguments%operands) > 0 .or. option_given(arguments, '--pendulum')
+      if ((has_grid .or. has_release) .and. has_scene) then
+         call fail(error, code_input, &
+            'give scenes, a grid (--upper, --lower) or a pendulum (--release-angle), one of them')
+      else if (has_grid .and. has_release) then
+         call fail(error, code_input, 'give a grid (--upper, --lower) or a pendulum (--release-angle), not both')
+      else if (has_grid) then
          if (.not. (option_given(arguments, '--upper') .and. option_given(arguments, '--lower'))) then
             call fail(error, code_input, 'a grid needs both --upper A:B:N and --lower A:B:N')
-         else if (size(arguments%operands) > 0 .or. option_given(arguments, '--pendulum')) then
-            call fail(error, code_input, 'give scenes or a grid (--upper, --lower), not both')
          else if (options%data_only .or. options%divisions > 0) then
             call fail(error, code_input, 'options --data and --divisions do not apply to a grid')
          end if
+      else if (has_release) then
+         if (.not. option_given(arguments, '--release-angle')) then
+            call fail(error, code_input, 'option --release-speed needs --release-angle A too')
+            return
+         end if
+         call check_number(arguments, '--release-angle', error)
+         if (.not. allocated(error)) call check_number(arguments, '--release-speed', error)
+         if (.not. allocated(error)) call check_number(arguments, '--length', error)
+         if (.not. allocated(error)) call check_number(arguments, '--gravity', error)
       else if (option_given(arguments, '--length') .or. option_given(arguments, '--gravity')) then
-         call fail(error, code_input, 'options --length and --gravity apply to a grid: give --upper and --lower too')
+         call fail(error, code_input, 'options --length and --gravity apply to a grid or a pendulum: give '// &
+            '--upper and --lower, or --release-angle, too')
       end if
-   end subroutine check_grid
+   end subroutine check_starts
+
+   !> Whether the value of an option is a number; its range is the scene's to check.
+   subroutine check_number(arguments, name, error)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: name
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: what, text
+      real(real64) :: value
+
+      if (.not. option_given(arguments, name)) return
+      text = option_value(arguments, name, '')
+      call read_number(text, value, what)
+      if (.not. allocated(what) .and. len(text) > longest_value) what = 'too long'
+      if (allocated(what)) &
+         call fail(error, code_input, 'option '//name//" must be a number, got '"//shown(text)//"' ("//what//')')
+   end subroutine check_number
 
 end module kyvadlo_table_command

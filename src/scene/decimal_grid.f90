@@ -4,7 +4,7 @@ module kyvadlo_decimal_grid
    use, intrinsic :: iso_fortran_env, only: int64
    implicit none
    private
-   public :: grid_type, new_grid, grid_point, longest_point
+   public :: grid_type, new_grid, grid_point, longest_point, read_whole
 
    !> Whole numbers by their digits to the base 1000, the lowest first: a digit times a count of 4.5e15 fits into int64.
    integer, parameter :: base = 1000, base_figures = 3
@@ -46,6 +46,27 @@ contains
          call put_figures(figures(i)(:count(i)), power(i) - grid%power, grid%digits(:, i))
       end do
    end subroutine new_grid
+
+   !> A number as it was typed, whole/10**places; whole is 0 where it is not positive, has more than 15 figures, or does
+   !> not lie between 10**-15 and 10**15.
+   pure subroutine read_whole(text, whole, places)
+      character(len=*), intent(in) :: text
+      integer(int64), intent(out) :: whole
+      integer, intent(out) :: places            !! 0 to 15
+      character(len=len(text)) :: figures
+      logical :: is_negative
+      integer :: count, used, power
+
+      call read_decimal(text, figures, count, power, is_negative)
+      whole = 0
+      places = 0
+      used = verify(figures(:count), '0', back=.true.)
+      power = power + count - used
+      if (is_negative .or. used < 1 .or. used > 15 .or. power < -15 .or. power + used > 15) return
+      read (figures(:used), '(i15)') whole
+      whole = whole*10_int64**max(power, 0)
+      places = max(-power, 0)
+   end subroutine read_whole
 
    !> Figures without leading zeros and point; the number is figures*10**power.
    pure subroutine read_decimal(text, figures, count, power, is_negative)

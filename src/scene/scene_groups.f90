@@ -63,6 +63,7 @@ module kyvadlo_scene_groups
       setting_type(pendulum_group, 'velocity', 3, rule_any, 'm/s', 'the rates of x, y, z', ''), &
       setting_type(output_group, 'duration', 1, rule_positive, 's', 'of the simulation, positive', 'one period'), &
       setting_type(output_group, 'samples', 1, rule_count, '', 'a whole number, at least 2; both ends count', '201'), &
+      setting_type(output_group, 'rate', 1, rule_positive, '1/s', 'samples a second, in place of their number', ''), &
       setting_type(output_group, 'quantities', 1, rule_text, '', &
       'words of the next table, separated by blanks or commas, in quotation marks', '`''position velocity''`'), &
       setting_type(string_group, 'restitution', 1, rule_fraction, '', &

@@ -23,7 +23,8 @@ module kyvadlo_scene_settings
       character(len=:), allocatable :: file              !! For messages, and where tables are looked for
       real(wp) :: duration = 0                           !! [s]; 0: one period
       character(len=:), allocatable :: duration_typed    !! As it stands there; empty: not given
-      integer(int64) :: samples = 0                      !! Both ends included
+      integer(int64) :: samples = 0                      !! Both ends included; 0: as the rate and the duration say
+      character(len=:), allocatable :: sample_rate       !! [1/s], as it stands there; empty: not given
       integer, allocatable :: quantities(:)              !! Places in the table of quantities, in the order asked
       real(wp) :: frame_rate = 0                         !! Of the frame of the output [rad/s]
       logical :: relative = .false.                      !! Output in the frame of the pivot

@@ -1,6 +1,7 @@
 !> How the groups of a scene beside &pendulum become its settings. Every name and value is checked.
 module kyvadlo_scene_settings_reader
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_decimal_grid, only: read_whole
    use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
@@ -27,7 +28,7 @@ module kyvadlo_scene_settings_reader
       contradiction_type(air_group, 'linear', 'viscosity'), contradiction_type(air_group, 'quadratic', 'viscosity'), &
       contradiction_type(moving_pivot_group, 'table', 'amplitude'), &
       contradiction_type(moving_pivot_group, 'table', 'frequency'), contradiction_type(moving_pivot_group, 'table', &
-      'phase')]
+      'phase'), contradiction_type(output_group, 'samples', 'rate')]
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
@@ -72,13 +73,25 @@ contains
       type(value_of_name_type), intent(in) :: values(size(settings))
       type(settings_type), intent(inout) :: chosen
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
+      integer(int64) :: whole
+      integer :: i, places
 
       chosen%duration = number(output_group, 'duration')
       i = setting_place(output_group, 'duration')
       chosen%duration_typed = ''
       if (values(i)%line(1) > 0) chosen%duration_typed = values(i)%text(1)%text
       chosen%samples = nint(number(output_group, 'samples'), int64)
+      i = setting_place(output_group, 'rate')
+      chosen%sample_rate = ''
+      if (values(i)%line(1) > 0) then
+         chosen%sample_rate = values(i)%text(1)%text
+         chosen%samples = 0
+         call read_whole(chosen%sample_rate, whole, places)
+         if (whole == 0) call fail(error, code_input, place_of(chosen%file, values(i)%line(1))// &
+            '&output: rate must lie between 1e-15 and 1e15 and have at most 15 figures, got '// &
+            shown(chosen%sample_rate))
+         if (allocated(error)) return
+      end if
       chosen%frame_rate = number(turning_frame_group, 'rate')
       chosen%relative = number(moving_pivot_group, 'relative') > 0
       associate (effects => chosen%effects)

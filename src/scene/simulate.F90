@@ -59,8 +59,8 @@ contains
       first = 0
       do while (first < simulation%settings%samples .and. goes_on)
          block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
-         call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, first, &
-            block%values(:block%count, 1))
+         call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, &
+            simulation%settings%sample_rate, first, block%values(:block%count, 1))
          if (is_wide(path)) then
             call fill_wide(simulation, path, block, cells)
             if (path%figures > 0) then

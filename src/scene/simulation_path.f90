@@ -12,12 +12,13 @@ module kyvadlo_simulation_path
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
-   use kyvadlo_sample_times, only: rounded_off
+   use kyvadlo_sample_times, only: rounded_off, samples_at_rate
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: numbers_of, numbers_type, pendulum_orbit
+   use kyvadlo_scene_settings, only: settings_type
    use kyvadlo_simulation, only: simulation_type
-   use kyvadlo_number_text, only: digits_text, shortest_text
+   use kyvadlo_number_text, only: digits_text, read_number, shortest_text
    use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_step_forecast, only: cause_start, forecast_steps
@@ -87,7 +88,7 @@ contains
    !> Errors: a start that determines no orbit; effects in a build without an integrator; an integration of more than
    !> `most_steps`; a string with more events than `new_string_motion` follows; an accuracy that cannot be kept.
    subroutine choose_path(simulation, path, error, accuracy, most_steps)
-      type(simulation_type), intent(in) :: simulation
+      type(simulation_type), intent(inout) :: simulation   !! Its number of samples, where a rate was given, changes
       type(path_type), intent(out) :: path
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
@@ -111,6 +112,7 @@ contains
          path%inertia = effective_inertia(settings%effects%density_ratio, settings%effects%added_mass)
          call effects_of(simulation, path%effects, error, path%note)
          if (.not. allocated(error)) call find_start(simulation, numbers, path, has_orbit, error)
+         if (.not. allocated(error)) call count_samples(simulation%settings, path%duration, error)
          if (.not. allocated(error)) call check_table(simulation, path, error)
          if (allocated(error)) return
          if (any_effect(path%effects)) then
@@ -192,6 +194,24 @@ contains
             '&pendulum: '//error%message
       end associate
    end subroutine find_start
+
+   !> As many samples as the rate says, where one was given.
+   subroutine count_samples(settings, duration, error)
+      type(settings_type), intent(inout) :: settings
+      real(wp), intent(in) :: duration                 !! [s]
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: ignored
+      real(wp) :: rate
+
+      if (settings%sample_rate == '') return
+      call read_number(settings%sample_rate, rate, ignored)
+      if (rate*duration < 1/epsilon(rate)) then
+         settings%samples = samples_at_rate(settings%sample_rate, duration)
+      else
+         call fail(error, code_input, place_of(settings%file, settings%line(output_group))//'&output: rate='// &
+            settings%sample_rate//' over '//trim(digits_text(duration, 6))//' s makes more than 4.5e15 samples')
+      end if
+   end subroutine count_samples
 
    !> Integration, if it comes to an end.
    subroutine choose_integration(simulation, path, error)

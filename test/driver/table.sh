@@ -34,6 +34,22 @@ fails 2 "option --accuracy must lie between 1.2e-32 and 0.1, got '1e-33'" table 
 fails 2 "option --accuracy must lie between 1.2e-32 and 0.1, got '6'" table --accuracy 6
 fails 2 "option --accuracy must be a number, got 'high'" table --accuracy high
 
+# A pendulum by options; of a swing to and fro the precession is shown. For small angles it is three eighths of the area of the
+# ellipse over l**2 (Airy), here to the next order in the amplitudes.
+run table --release-angle 90 --gravity 1
+expect_status 0
+expect_match '^  full swing, to and fro  *2T  *7.4162987092055 s$'
+run table --release-angle 1 --release-speed 0.01 --gravity 1
+expect_match '^  precession in a full swing  *2 lambda.T  *0.0235[0-9]* degrees$'
+run table --release-angle -30 --format csv --data
+expect_in_out 'released at -30 degrees,plane libration,1e+00,9.80665e+00,'
+fails 2 "option --release-angle must be a number, got 'x'" table --release-angle x
+fails 2 'option --release-speed needs --release-angle A too' table --release-speed 1
+fails 2 'options:1: &pendulum: release_angle must lie between -180 and 180 degrees, got 200' table --release-angle 200
+fails 2 'options:1: &pendulum: length must be positive, got -1' table --release-angle 20 --length -1
+fails 2 'give a grid (--upper, --lower) or a pendulum (--release-angle), not both' table --release-angle 3 --upper 0
+fails 2 'options --length and --gravity apply to a grid or a pendulum' table --length 1
+
 # A generic orbit: mpmath, 40 digits, T and phi by quadrature of (5) and (17), z and dz/dt by sn, cn, dn, phi(T/10) by
 # quadrature over time: T 1.08679328201239380701917, phi(T) 5.36839090529474055772109; at T/10 z 0.222528826378629109216,
 # dz/dt -1.41981592225872192515, phi 0.421567100964424602791, B 0.513046541152909194711, dphi/dt 3.77154137219434127288,
@@ -178,9 +194,9 @@ checks=$((checks + 1))
 [ "$(wc -l <out)" -eq 3 ] || complain 'a head and two rows expected'
 fails 2 'no pair of the grid belongs to an orbit' table --upper 0.5:0.9:3 --lower 0:0.4:3
 fails 2 'a grid needs both --upper A:B:N and --lower A:B:N' table --upper 0:1:2
-fails 2 'give scenes or a grid' table plane.nml --upper 0:1:2 --lower -1:0:2
+fails 2 'give scenes, a grid' table plane.nml --upper 0:1:2 --lower -1:0:2
 fails 2 'options --data and --divisions do not apply to a grid' table --data --upper 0:1:2 --lower -1:0:2
-fails 2 '--upper and --lower too' table --length 2
+fails 2 '--upper and --lower, or --release-angle, too' table --length 2
 fails 2 "option --upper must be A:B:N, got '0:1' (A:B:N has two colons)" table --upper 0:1 --lower 0
 fails 2 "option --upper must be A:B:N, got '0:x:3' (not a number)" table --upper 0:x:3 --lower 0
 fails 2 "option --upper must be A:B:N, got '0:1:0' (N must be" table --upper 0:1:0 --lower 0
