@@ -8,7 +8,8 @@ module kyvadlo_simulate_command
 #endif
    use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_plot_samples, only: check_plot, discard_plot, finish_plot, new_plot, plot_samples_type
-   use kyvadlo_quantities, only: quantities, quantity_position
+   use kyvadlo_quantities, only: quantity_position
+   use kyvadlo_sample_block, only: columns_of
    use kyvadlo_sample_text, only: csv_samples_type, new_csv_samples
    use kyvadlo_samples, only: sample_sink_type
    use kyvadlo_simulate, only: simulate
@@ -232,7 +233,7 @@ contains
          samples => netcdf
       end if
 #endif
-      columns = 1 + sum(quantities(simulation%settings%quantities)%columns)
+      columns = size(columns_of(simulation))
       wanted = simulation
       shows = is_on_terminal(output)
       if (associated(samples) .and. shows) then

@@ -14,7 +14,8 @@ module kyvadlo_string_contact
    use kyvadlo_force_changes, only: tension_rate
    use kyvadlo_forces, only: move
    use kyvadlo_pivot, only: pivot_rates
-   use kyvadlo_suspension, only: put_on_surface, stretch, stretch_change, surface_excess
+   use kyvadlo_saltation, only: is_tangential, jump_at_shock
+   use kyvadlo_suspension, only: put_on_surface, stretch, surface_excess
    use kyvadlo_stepper, only: problem_type, restart, stepper_type, trial_step, trial_with_columns, &
       unknowns
    use kyvadlo_string, only: string_event_type, event_slack, event_taut, event_rebound, event_end_of_rattling
@@ -349,7 +350,7 @@ contains
          end if
          contact%left_with = back*radial
          if (allocated(stepper%sizes) .and. event%kind /= event_slack .and. .not. problem%forces%is_elastic) &
-            call jump_columns(stepper, before, radial, back)
+            call jump_columns(stepper, before, back)
       end associate
    end subroutine make_contact
 
@@ -370,44 +371,28 @@ contains
             call stretch(forces%suspension, p, v, distance, outward, bending)
             slope = dot_product(outward, v)
          end if
-         if (.not. abs(slope) > sqrt(2*contact%closeness*scale*forces%suspension%radius)) contact%is_tangential = .true.
+         if (is_tangential(slope, scale, forces%suspension%radius, contact%closeness)) contact%is_tangential = .true.
          ! Ever smaller rebounds are none.
-         if (contact%left_with > 0 .and. slope > contact%closeness*contact%left_with) contact%is_tangential = .false.
+         if (contact%left_with > 0 .and. slope > sqrt(contact%closeness)*contact%left_with) &
+            contact%is_tangential = .false.
       end associate
    end subroutine look_for_tangency
 
-   !> The jump of the columns where an inextensible string becomes taut. A motion next to this one arrives later by
-   !> `late`; until then it moves on as before, and where this one has gone on as after.
-   subroutine jump_columns(stepper, before, radial, back)
+   !> The jump of the columns where an inextensible string becomes taut.
+   subroutine jump_columns(stepper, before, back)
       type(stepper_type), intent(inout) :: stepper    !! After the event
       real(wp), intent(in) :: before(9)               !! Position, velocity and acceleration before it
-      real(wp), intent(in) :: radial, back            !! Radial speed before it, and the part that comes back
-      real(wp), dimension(3) :: outward, outward_change, moved, turned
-      real(wp) :: distance, bending, distance_change, bending_change, late, radial_change
+      real(wp), intent(in) :: back                    !! The part of the radial speed that comes back
       integer :: j
 
-      associate (problem => stepper%problem, p => before(1:3), v => before(4:6), a => before(7:9))
-         call stretch(problem%forces%suspension, p, v, distance, outward, bending)
+      associate (problem => stepper%problem)
          do j = 1, size(problem%changes)
-            associate (change => problem%changes(j))
-               moved = stepper%columns(1:3, j)
-               turned = stepper%columns(4:6, j)
-               call stretch_change(problem%forces%suspension, change%suspension, p, v, moved, turned, distance_change, &
-                  outward_change, bending_change)
-               late = (change%suspension%radius - distance_change)/radial
-               moved = moved + v*late
-               turned = turned + a*late
-               call stretch_change(problem%forces%suspension, change%suspension, p, v, moved, turned, distance_change, &
-                  outward_change, bending_change)
-               radial_change = dot_product(outward_change, v) + dot_product(outward, turned)
-               turned = turned - (1 + back)*(radial_change*outward + radial*outward_change)
-               if (back > 0) turned = turned - change%effects%restitution*radial*outward
-               stepper%columns(1:3, j) = moved - stepper%y(4:6)*late
-               stepper%columns(4:6, j) = turned - stepper%rates(4:6)*late
-            end associate
+            call jump_at_shock(problem%forces%suspension, problem%changes(j)%suspension, before, &
+               [stepper%y(4:6), stepper%rates(4:6)], back, problem%changes(j)%effects%restitution, &
+               stepper%columns(:, j))
          end do
-         call restart(stepper)
       end associate
+      call restart(stepper)
    end subroutine jump_columns
 
    !> From here the bob flies, its place counted from here.

@@ -1,5 +1,6 @@
 !> Samples of an integrated scene; beside it, on request, the same at a tenth of the tolerance.
 module kyvadlo_integrated_samples
+   use kyvadlo_force_changes, only: change_type
    use kyvadlo_forces, only: mechanical_energy
    use kyvadlo_integrator, only: integration_type, new_integration
    use kyvadlo_kinds, only: wp => real64
@@ -25,12 +26,13 @@ module kyvadlo_integrated_samples
 contains
 
    !> Starts at time 0.
-   subroutine begin_integration(integrated, path, block, is_checked, error)
+   subroutine begin_integration(integrated, path, block, is_checked, error, changes)
       type(integrated_type), intent(inout) :: integrated
       type(path_type), intent(in) :: path
       type(block_type), intent(in) :: block
       logical, intent(in) :: is_checked                       !! A second run at a tenth of the tolerance is compared
       type(error_type), allocatable, intent(out) :: error
+      type(change_type), intent(in), optional :: changes(:)   !! (p) whose derivatives are integrated too
       real(wp) :: azimuth
       logical :: with_work, with_azimuth
 
@@ -41,8 +43,13 @@ contains
       if (with_azimuth .and. all(is_upright([path%position(1), path%velocity(1)], &
          [path%position(2), path%velocity(2)]))) call look_ahead(path, azimuth, error)
       if (allocated(error)) return
-      call new_integration(integrated%run, path%effects, path%length, path%gravity, path%position, path%velocity, &
-         path%tolerance, error, with_work, with_azimuth, azimuth, path%most_steps)
+      if (present(changes)) then
+         call new_integration(integrated%run, path%effects, path%length, path%gravity, path%position, path%velocity, &
+            path%tolerance, error, with_work, with_azimuth, azimuth, path%most_steps, changes)
+      else
+         call new_integration(integrated%run, path%effects, path%length, path%gravity, path%position, path%velocity, &
+            path%tolerance, error, with_work, with_azimuth, azimuth, path%most_steps)
+      end if
       integrated%is_checked = is_checked
       if (allocated(error) .or. .not. is_checked) return
       allocate (integrated%other_positions(3, block_samples), integrated%other_velocities(3, block_samples))
@@ -72,17 +79,22 @@ contains
    end subroutine look_ahead
 
    !> The samples at the times of the block, relative to the pivot.
-   subroutine fill_integrated(integrated, path, block, error)
+   subroutine fill_integrated(integrated, path, block, error, matrices)
       type(integrated_type), intent(inout) :: integrated
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
       type(error_type), allocatable, intent(out) :: error
-      real(wp), dimension(block%count) :: tensions, drag_work, pivot_work
+      real(wp), intent(inout), optional :: matrices(:, :, :)  !! (6, p, block_samples) derivatives by the changes
+      real(wp), dimension(block%count) :: tensions, drag_work, pivot_work, azimuths
       integer :: i
 
       associate (values => block%values, n => block%count, column => block%column, &
          positions => integrated%positions, velocities => integrated%velocities)
-         if (column(quantity_azimuth) > 0) then
+         if (present(matrices)) then
+            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
+               pivot_work, error, azimuths, matrices(:, :, :n))
+            if (column(quantity_azimuth) > 0) values(:n, column(quantity_azimuth)) = azimuths
+         else if (column(quantity_azimuth) > 0) then
             call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
                pivot_work, error, values(:n, column(quantity_azimuth)))
          else

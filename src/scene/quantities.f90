@@ -4,12 +4,13 @@ module kyvadlo_quantities
    private
    public :: quantity_type, quantities, default_quantities
    public :: quantity_position, quantity_velocity, quantity_speed, quantity_energy, quantity_momentum, &
-      quantity_tension, quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work
+      quantity_tension, quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work, &
+      quantity_derivatives
 
    !> A word of `quantities`, and the columns it stands for.
    type :: quantity_type
       character(len=11) :: name
-      integer :: columns                     !! 1 or 3
+      integer :: columns                     !! 1 or 3; of `derivatives`, by what is asked for, 0
       character(len=11) :: column_names(3)
       character(len=7) :: unit               !! As UDUNITS writes it
       character(len=64) :: meaning
@@ -18,9 +19,9 @@ module kyvadlo_quantities
    !> Places in `quantities`.
    integer, parameter :: quantity_position = 1, quantity_velocity = 2, quantity_speed = 3, quantity_energy = 4, &
       quantity_momentum = 5, quantity_tension = 6, quantity_azimuth = 7, quantity_inclination = 8, &
-      quantity_drag_work = 9, quantity_pivot_work = 10
+      quantity_drag_work = 9, quantity_pivot_work = 10, quantity_derivatives = 11
 
-   type(quantity_type), parameter :: quantities(10) = [ &
+   type(quantity_type), parameter :: quantities(11) = [ &
       quantity_type('position', 3, [character(len=11) :: 'x', 'y', 'z'], 'm', 'position of the bob, z upwards'), &
       quantity_type('velocity', 3, [character(len=11) :: 'vx', 'vy', 'vz'], 'm s-1', 'velocity of the bob'), &
       quantity_type('speed', 1, [character(len=11) :: 'speed', '', ''], 'm s-1', 'magnitude of the velocity'), &
@@ -37,7 +38,9 @@ module kyvadlo_quantities
       quantity_type('drag_work', 1, [character(len=11) :: 'drag_work', '', ''], 'm2 s-2', &
          'work of the air on the bob since t = 0, per mass'), &
       quantity_type('pivot_work', 1, [character(len=11) :: 'pivot_work', '', ''], 'm2 s-2', &
-         'work of the moving pivot on the bob since t = 0, per mass')]
+         'work of the moving pivot on the bob since t = 0, per mass'), &
+      quantity_type('derivatives', 0, [character(len=11) :: '', '', ''], '', &
+         'derivatives of the other quantities')]
 
    !> Without `quantities`.
    character(len=*), parameter :: default_quantities = 'position velocity'

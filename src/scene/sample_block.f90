@@ -5,7 +5,7 @@ module kyvadlo_sample_block
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_samples, only: column_type
-   use kyvadlo_scene_groups, only: turning_frame_group
+   use kyvadlo_scene_groups, only: settings, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_turned_azimuth, only: is_upright
    use kyvadlo_turning_frame, only: frame_angle, seen_from_turning_frame
@@ -33,10 +33,11 @@ contains
    pure function columns_of(simulation) result(columns)
       type(simulation_type), intent(in) :: simulation
       type(column_type), allocatable :: columns(:)
-      integer :: i, j, count
+      character(len=6) :: unit
+      integer :: i, j, k, m, count
 
       associate (chosen => simulation%settings%quantities)
-         allocate (columns(1 + sum(quantities(chosen)%columns)))
+         allocate (columns(1 + sum(columns_of_quantity(simulation, chosen))))
          columns(1) = column_type('t', 's', 'time since the start')
          count = 1
          do i = 1, size(chosen)
@@ -46,9 +47,37 @@ contains
                   columns(count) = column_type(quantity%column_names(j), quantity%unit, quantity%meaning)
                end do
             end associate
+            if (chosen(i) /= quantity_derivatives) cycle
+            do k = 1, size(simulation%settings%differentiated)
+               associate (quantity => quantities(simulation%settings%differentiated(k)))
+                  do j = 1, quantity%columns
+                     do m = 1, size(simulation%settings%derivatives)
+                        count = count + 1
+                        associate (by => simulation%settings%derivatives(m))
+                           columns(count) = column_type('d'//trim(quantity%column_names(j))//'_d'//by%name, &
+                              quantity%unit, 'derivative of '//trim(quantity%column_names(j))//' with respect to '// &
+                              by%name)
+                           unit = settings(by%setting)%unit
+                           if (unit == 'deg') unit = 'degree'
+                           if (unit /= '') columns(count)%unit = trim(quantity%unit)//'/('//trim(unit)//')'
+                        end associate
+                     end do
+                  end do
+               end associate
+            end do
          end do
       end associate
    end function columns_of
+
+   !> How many columns a quantity has.
+   elemental integer function columns_of_quantity(simulation, quantity) result(columns)
+      type(simulation_type), intent(in) :: simulation
+      integer, intent(in) :: quantity
+
+      columns = quantities(quantity)%columns
+      if (quantity == quantity_derivatives) columns = size(simulation%settings%derivatives)* &
+         sum(quantities(simulation%settings%differentiated)%columns)
+   end function columns_of_quantity
 
    !> Gives every quantity its columns, and those it is derived from.
    subroutine new_block(simulation, is_one_orbit, block)
@@ -62,6 +91,7 @@ contains
          call add(simulation%settings%quantities(i))
       end do
       block%visible = count
+      if (block%column(quantity_derivatives) > 0) call add(quantity_velocity)
       if (block%column(quantity_speed) > 0) call add(quantity_velocity)
       if (.not. is_one_orbit .and. &
          any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
@@ -77,7 +107,7 @@ contains
 
          if (block%column(quantity) > 0) return
          block%column(quantity) = count + 1
-         count = count + quantities(quantity)%columns
+         count = count + columns_of_quantity(simulation, quantity)
       end subroutine add
    end subroutine new_block
 

@@ -66,6 +66,8 @@ module kyvadlo_scene_groups
       setting_type(output_group, 'rate', 1, rule_positive, '1/s', 'samples a second, in place of their number', ''), &
       setting_type(output_group, 'quantities', 1, rule_text, '', &
       'words of the next table, separated by blanks or commas, in quotation marks', '`''position velocity''`'), &
+      setting_type(output_group, 'derivatives', 1, rule_text, '', &
+      'names of settings by which `derivatives` differentiates, in quotation marks', 'length, gravity, start'), &
       setting_type(string_group, 'restitution', 1, rule_fraction, '', &
       'radial speed after over before the re-tension, 0 to 1; 0: all is lost', '0'), &
       setting_type(buoyancy_group, 'density_ratio', 1, rule_part, '', &

@@ -3,11 +3,11 @@ module kyvadlo_scene_settings
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_effects, only: effects_type
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_scene_groups, only: group_names
+   use kyvadlo_scene_groups, only: group_names, settings
    use kyvadlo_text, only: text_type
    implicit none
    private
-   public :: settings_type, value_of_name_type
+   public :: settings_type, value_of_name_type, derivative_type
 
    !> What a name was given.
    type :: value_of_name_type
@@ -15,6 +15,13 @@ module kyvadlo_scene_settings
       integer :: line(3) = 0                             !! 0: not given
       real(wp) :: number(3) = 0
    end type value_of_name_type
+
+   !> A number of a scene by which it is differentiated.
+   type :: derivative_type
+      integer :: setting = 0                             !! Place in `settings`
+      integer :: element = 1                             !! Of a vector
+      character(len=40) :: name = ''                     !! In the names of columns, behind `_d`
+   end type derivative_type
 
    !> The groups of a scene; which of them stand in it is in `given`.
    type :: settings_type
@@ -26,6 +33,13 @@ module kyvadlo_scene_settings
       integer(int64) :: samples = 0                      !! Both ends included; 0: as the rate and the duration say
       character(len=:), allocatable :: sample_rate       !! [1/s], as it stands there; empty: not given
       integer, allocatable :: quantities(:)              !! Places in the table of quantities, in the order asked
+      !> The words of `derivatives`, empty if there are none, and their line
+      character(len=:), allocatable :: derivatives_typed
+      integer :: derivatives_line = 0
+      !> What is differentiated (places in the table of quantities), and by what; of no size without derivatives
+      integer, allocatable :: differentiated(:)
+      type(derivative_type), allocatable :: derivatives(:)
+      real(wp) :: number(3, size(settings)) = 0          !! Of all groups but &pendulum, as given or by default
       real(wp) :: frame_rate = 0                         !! Of the frame of the output [rad/s]
       logical :: relative = .false.                      !! Output in the frame of the pivot
       type(effects_type) :: effects                      !! But the table of the pivot, which is read when it is needed

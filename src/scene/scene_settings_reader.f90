@@ -6,14 +6,15 @@ module kyvadlo_scene_settings_reader
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, place_of
-   use kyvadlo_quantities, only: default_quantities, quantities
+   use kyvadlo_quantities, only: default_quantities, quantities, quantity_derivatives, quantity_drag_work, &
+      quantity_pivot_work, quantity_position, quantity_velocity
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: settings_type, value_of_name_type
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: integer_text, lower_case, shown, split_words
    implicit none
    private
-   public :: settings_from_groups
+   public :: settings_from_groups, set_effects
 
    !> Two names of a group that exclude each other.
    type :: contradiction_type
@@ -76,11 +77,14 @@ contains
       integer(int64) :: whole
       integer :: i, places
 
-      chosen%duration = number(output_group, 'duration')
+      do i = 1, size(settings)
+         chosen%number(:, i) = values(i)%number
+      end do
+      chosen%duration = chosen%number(1, setting_place(output_group, 'duration'))
       i = setting_place(output_group, 'duration')
       chosen%duration_typed = ''
       if (values(i)%line(1) > 0) chosen%duration_typed = values(i)%text(1)%text
-      chosen%samples = nint(number(output_group, 'samples'), int64)
+      chosen%samples = nint(chosen%number(1, setting_place(output_group, 'samples')), int64)
       i = setting_place(output_group, 'rate')
       chosen%sample_rate = ''
       if (values(i)%line(1) > 0) then
@@ -92,8 +96,54 @@ contains
             shown(chosen%sample_rate))
          if (allocated(error)) return
       end if
+      chosen%relative = chosen%number(1, setting_place(moving_pivot_group, 'relative')) > 0
+      call set_effects(chosen)
+      i = setting_place(moving_pivot_group, 'table')
+      if (values(i)%line(1) > 0) then
+         chosen%table = trim(values(i)%text(1)%text)
+         if (chosen%table == '') call fail(error, code_input, place_of(chosen%file, values(i)%line(1)) &
+            //'&moving_pivot: table needs the name of a file')
+         if (allocated(error)) return
+      end if
+      associate (words => values(setting_place(output_group, 'quantities')))
+         if (words%line(1) == 0) then
+            call read_quantities(default_quantities, '', chosen%quantities, error)
+         else
+            call read_quantities(words%text(1)%text, place_of(chosen%file, words%line(1))//'&output: ', &
+               chosen%quantities, error)
+         end if
+      end associate
+      if (.not. allocated(error)) call take_derivatives(values(setting_place(output_group, 'derivatives')), chosen, &
+         error)
+   end subroutine take_values
+
+   !> What of the quantities is differentiated: all but works; position and velocity if none is asked for. By what, is
+   !> read once the start is known.
+   pure subroutine take_derivatives(words, chosen, error)
+      type(value_of_name_type), intent(in) :: words
+      type(settings_type), intent(inout) :: chosen
+      type(error_type), allocatable, intent(out) :: error
+
+      allocate (chosen%derivatives(0))
+      chosen%derivatives_typed = ''
+      chosen%derivatives_line = words%line(1)
+      if (words%line(1) > 0) chosen%derivatives_typed = words%text(1)%text
+      associate (asked => chosen%quantities)
+         chosen%differentiated = pack(asked, asked /= quantity_derivatives .and. asked /= quantity_drag_work .and. &
+            asked /= quantity_pivot_work)
+         if (size(chosen%differentiated) == 0) chosen%differentiated = [quantity_position, quantity_velocity]
+         if (any(asked == quantity_derivatives)) return
+      end associate
+      chosen%differentiated = [integer ::]
+      if (words%line(1) > 0) call fail(error, code_input, place_of(chosen%file, words%line(1))// &
+         '&output: derivatives needs the word derivatives among quantities')
+   end subroutine take_derivatives
+
+   !> The effects that follow from the numbers of a scene, and the rate of the frame.
+   pure subroutine set_effects(chosen)
+      type(settings_type), intent(inout) :: chosen
+
       chosen%frame_rate = number(turning_frame_group, 'rate')
-      chosen%relative = number(moving_pivot_group, 'relative') > 0
       associate (effects => chosen%effects)
          effects%is_string = chosen%given(string_group)
          effects%restitution = number(string_group, 'restitution')
@@ -115,21 +165,6 @@ contains
          effects%extra_length = [number(anisotropic_support_group, 'extra_length_x'), &
             number(anisotropic_support_group, 'extra_length_y')]
       end associate
-      i = setting_place(moving_pivot_group, 'table')
-      if (values(i)%line(1) > 0) then
-         chosen%table = trim(values(i)%text(1)%text)
-         if (chosen%table == '') call fail(error, code_input, place_of(chosen%file, values(i)%line(1)) &
-            //'&moving_pivot: table needs the name of a file')
-         if (allocated(error)) return
-      end if
-      associate (words => values(setting_place(output_group, 'quantities')))
-         if (words%line(1) == 0) then
-            call read_quantities(default_quantities, '', chosen%quantities, error)
-         else
-            call read_quantities(words%text(1)%text, place_of(chosen%file, words%line(1))//'&output: ', &
-               chosen%quantities, error)
-         end if
-      end associate
 
    contains
 
@@ -137,7 +172,7 @@ contains
          integer, intent(in) :: group
          character(len=*), intent(in) :: name
 
-         number = values(setting_place(group, name))%number(1)
+         number = chosen%number(1, setting_place(group, name))
       end function number
 
       pure function vector(group, name)
@@ -145,9 +180,9 @@ contains
          character(len=*), intent(in) :: name
          real(wp) :: vector(3)
 
-         vector = values(setting_place(group, name))%number
+         vector = chosen%number(:, setting_place(group, name))
       end function vector
-   end subroutine take_values
+   end subroutine set_effects
 
    !> Groups and names that need or exclude each other.
    pure subroutine check_together(values, chosen, error)

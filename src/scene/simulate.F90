@@ -2,28 +2,40 @@
 !> number.
 module kyvadlo_simulate
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_derivative_samples, only: begin_derivatives, derivative_samples_type, fill_derivatives, find_matrices
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
 #ifdef KYVADLO_WITH_GSL
-   use kyvadlo_integrator, only: failure_events, failure_short_step, failure_steps
+   use kyvadlo_integrator, only: failure_events, failure_short_step, failure_steps, failure_tangential
    use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, integrated_type
 #endif
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: digits_text, shortest_text
+   use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_quantities, only: quantity_derivatives, quantity_position, quantity_velocity
    use kyvadlo_sample_block
    use kyvadlo_sample_times, only: last_before, set_times
    use kyvadlo_samples, only: sample_sink_type, scene_event_type
-   use kyvadlo_scene_groups, only: moving_pivot_group, string_group, turning_frame_group
+   use kyvadlo_scene_groups, only: moving_pivot_group, output_group, string_group, turning_frame_group
+   use kyvadlo_scene_derivatives, only: derivative_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
-   use kyvadlo_status, only: error_type
+   use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_string, only: event_rebound, event_slack, event_taut, string_event_type
    use kyvadlo_turning_frame, only: seen_from_turning_frame
    use kyvadlo_wide_samples, only: fill_wide, is_wide, longest_cell
    implicit none
    private
-   public :: simulate
+   public :: simulate, states_with_derivatives
+
+   !> What the samples of a scene are computed with, block by block.
+   type :: work_type
+      type(derivative_samples_type) :: derivatives
+#ifdef KYVADLO_WITH_GSL
+      type(integrated_type) :: integrated
+#endif
+   end type work_type
 
 contains
 
@@ -38,21 +50,16 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(check_type), intent(inout), optional :: check  !! Of an integrated scene: at a tenth of the tolerance beside
       type(block_type) :: block
-#ifdef KYVADLO_WITH_GSL
-      type(integrated_type) :: integrated
-#endif
+      type(work_type) :: work
       character(len=longest_cell), allocatable :: cells(:, :)
       integer(int64) :: first
       integer :: noted
-      logical :: goes_on, is_one_orbit
+      logical :: goes_on
 
       if (present(check)) check = check_type()
-      is_one_orbit = path%path == path_closed_form .or. path%path == path_constant
-      call new_block(simulation, is_one_orbit, block)
+      call new_block(simulation, is_one_orbit(path), block)
       call sink%begin(columns_of(simulation))
-#ifdef KYVADLO_WITH_GSL
-      if (path%path == path_integrated) call begin_integration(integrated, path, block, present(check), error)
-#endif
+      call begin_work(work, simulation, path, block, present(check), error)
       allocate (cells(merge(block_samples, 0, path%figures > 0), merge(block%visible, 0, path%figures > 0)))
       noted = 0
       goes_on = .not. allocated(error)
@@ -71,31 +78,15 @@ contains
             first = first + block%count
             cycle
          end if
-         select case (path%path)
-         case (path_constant)
-            call fill_constant(path, block)
-         case (path_closed_form)
-            call fill_closed_form(path, block)
-         case (path_string)
-            call fill_string(path, block)
-#ifdef KYVADLO_WITH_GSL
-         case (path_integrated)
-            call fill_integrated(integrated, path, block, error)
-            if (allocated(error)) exit
-#endif
-         end select
-         call fill_inclination(block)
-         if (simulation%settings%given(turning_frame_group)) call turn_azimuth(simulation%settings%frame_rate, block)
-         if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
-         if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)
-         call fill_speed(block)
+         call fill_block(work, simulation, path, block, error)
+         if (allocated(error)) exit
          select case (path%path)
          case (path_string)
             call hand_over(simulation, path, block, path%events, sink, noted, goes_on)
 #ifdef KYVADLO_WITH_GSL
          case (path_integrated)
-            call hand_over(simulation, path, block, integrated%run%events(:integrated%run%event_count), sink, noted, &
-               goes_on)
+            call hand_over(simulation, path, block, work%integrated%run%events(:work%integrated%run%event_count), &
+               sink, noted, goes_on)
 #endif
          case default
             call sink%take(block%values(:block%count, :block%visible), goes_on)
@@ -103,13 +94,153 @@ contains
          first = first + block%count
       end do
 #ifdef KYVADLO_WITH_GSL
-      if (allocated(error)) call explain_failure(simulation, path, integrated, error)
-      if (path%path == path_integrated) then
-         if (present(check)) check = integrated%check
-         call end_integration(integrated)
+      if (present(check) .and. path%path == path_integrated) check = work%integrated%check
+#endif
+      call end_work(work, simulation, path, error)
+   end subroutine simulate
+
+   !> Position and velocity of a scene at any times, as its samples show them, and their derivatives with respect to
+   !> some of its settings, each in the unit of the setting.
+   !>
+   !> Errors: those of `choose_path` and of the integrator; an event of a string that is met tangentially.
+   subroutine states_with_derivatives(simulation, list, times, states, matrices, error, accuracy, most_steps)
+      type(simulation_type), intent(in) :: simulation         !! What its &output asks for does not matter
+      type(derivative_type), intent(in) :: list(:)            !! (p) from `parse_derivatives`
+      real(wp), intent(in) :: times(:)                        !! (n) ascending from 0 [s]
+      real(wp), intent(out) :: states(:, :)                   !! (6, n) x y z [m], vx vy vz [m/s]
+      real(wp), intent(out) :: matrices(:, :, :)              !! (6, p, n)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in), optional :: accuracy              !! Of a step (1e-12)
+      real(wp), intent(in), optional :: most_steps            !! Of an integration (1e7)
+      type(simulation_type) :: wanted
+      type(path_type) :: path
+      type(block_type) :: block
+      type(work_type) :: work
+      integer :: first, i
+
+      states = quiet_nan_real64
+      matrices = quiet_nan_real64
+      wanted = simulation
+      wanted%settings%derivatives = list
+      wanted%settings%differentiated = [quantity_position, quantity_velocity]
+      wanted%settings%quantities = [quantity_position, quantity_velocity, quantity_derivatives]
+      wanted%settings%duration = tiny(times)
+      if (size(times) > 0) wanted%settings%duration = max(wanted%settings%duration, times(size(times)))
+      wanted%settings%duration_typed = ''
+      wanted%settings%sample_rate = ''
+      call choose_path(wanted, path, error, accuracy, most_steps)
+      if (allocated(error)) return
+      call new_block(wanted, is_one_orbit(path), block)
+      call begin_work(work, wanted, path, block, .false., error)
+      first = 0
+      do while (first < size(times) .and. .not. allocated(error))
+         block%count = min(block_samples, size(times) - first)
+         block%values(:block%count, 1) = times(first + 1:first + block%count)
+         call fill_block(work, wanted, path, block, error)
+         if (allocated(error)) exit
+         do i = 1, block%count
+            states(:, first + i) = block%values(i, 2:7)
+            matrices(:, :, first + i) = transpose(reshape(block%values(i, 8:7 + 6*size(list)), [size(list), 6]))
+         end do
+         first = first + block%count
+      end do
+      call end_work(work, wanted, path, error)
+   end subroutine states_with_derivatives
+
+   !> Whether the constants of one orbit are those of the motion.
+   pure logical function is_one_orbit(path)
+      type(path_type), intent(in) :: path
+
+      is_one_orbit = path%path == path_closed_form .or. path%path == path_constant
+   end function is_one_orbit
+
+   subroutine begin_work(work, simulation, path, block, is_checked, error)
+      type(work_type), intent(inout) :: work
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(block_type), intent(in) :: block
+      logical, intent(in) :: is_checked                       !! An integration beside one at a tenth of the tolerance
+      type(error_type), allocatable, intent(out) :: error
+
+      if (block%column(quantity_derivatives) > 0) then
+         associate (settings => simulation%settings)
+            if (is_wide(path)) then
+               call fail(error, code_input, place_of(settings%file, settings%line(output_group)) &
+                  //'&output: derivatives are computed in double precision, and neither to this accuracy nor for '// &
+                  'so long')
+            else
+               call begin_derivatives(work%derivatives, simulation, path, error)
+               if (allocated(error)) error%message = place_of(settings%file, settings%line(output_group))// &
+                  '&output: derivatives: '//trim(error%message)
+            end if
+         end associate
+      end if
+#ifdef KYVADLO_WITH_GSL
+      if (path%path /= path_integrated .or. allocated(error)) return
+      if (block%column(quantity_derivatives) > 0) then
+         call begin_integration(work%integrated, path, block, is_checked, error, work%derivatives%changes%change)
+      else
+         call begin_integration(work%integrated, path, block, is_checked, error)
       end if
 #endif
-   end subroutine simulate
+   end subroutine begin_work
+
+   !> All columns of a block, at its times.
+   subroutine fill_block(work, simulation, path, block, error)
+      type(work_type), intent(inout) :: work
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      type(error_type), allocatable, intent(out) :: error
+      logical :: has_derivatives
+
+      has_derivatives = block%column(quantity_derivatives) > 0
+      select case (path%path)
+      case (path_constant)
+         call fill_constant(path, block)
+      case (path_closed_form)
+         call fill_closed_form(path, block)
+      case (path_string)
+         call fill_string(path, block)
+#ifdef KYVADLO_WITH_GSL
+      case (path_integrated)
+         if (has_derivatives) then
+            call fill_integrated(work%integrated, path, block, error, work%derivatives%matrices)
+         else
+            call fill_integrated(work%integrated, path, block, error)
+         end if
+         if (allocated(error)) return
+#endif
+      end select
+      if (has_derivatives) then
+         if (path%path /= path_integrated) call find_matrices(work%derivatives, simulation, path, block, error)
+         if (allocated(error)) then
+            error%message = place_of(simulation%settings%file, simulation%settings%line(output_group))// &
+               '&output: derivatives: '//trim(error%message)
+            return
+         end if
+         call fill_derivatives(work%derivatives, simulation, path, block)
+      end if
+      call fill_inclination(block)
+      if (simulation%settings%given(turning_frame_group)) call turn_azimuth(simulation%settings%frame_rate, block)
+      if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
+      if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)
+      call fill_speed(block)
+   end subroutine fill_block
+
+   !> What of the scene made it fail, and the memory back.
+   subroutine end_work(work, simulation, path, error)
+      type(work_type), intent(inout) :: work
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(error_type), allocatable, intent(inout) :: error
+
+#ifdef KYVADLO_WITH_GSL
+      if (path%path /= path_integrated) return
+      if (allocated(error)) call explain_failure(simulation, path, work%integrated, error)
+      call end_integration(work%integrated)
+#endif
+   end subroutine end_work
 
 #ifdef KYVADLO_WITH_GSL
    !> What of the scene made an integration fail.
@@ -127,6 +258,10 @@ contains
          case (failure_steps)
             error%message = path%hardest//'the integration got to t = '//shortest_text(run%time)//' s in ' &
                //trim(digits_text(path%most_steps, 2))//' steps (option --most-steps); shorten &output duration'
+         case (failure_tangential)
+            error%message = place_of(settings%file, settings%line(output_group))// &
+               '&output: there are no derivatives after t = '//shortest_text(run%time)// &
+               ' s, where the string goes slack or taut tangentially'
          case (failure_events)
             error%message = place_of(settings%file, settings%line(string_group)) &
                //'&string: too many events, by t = '//shortest_text(run%time)//' s; shorten &output duration'

@@ -46,6 +46,7 @@ module kyvadlo_simulation_path
       !> Of `path_string`, with one at the start if the string is slack there
       type(string_event_type), allocatable :: events(:)
       real(wp) :: position(3) = 0, velocity(3) = 0 !! At the start, relative to the pivot [m], [m/s]
+      logical :: starts_freely = .false.        !! On no orbit: only a string or a suspension lets it start there
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
@@ -115,7 +116,7 @@ contains
          if (.not. allocated(error)) call count_samples(simulation%settings, path%duration, error)
          if (.not. allocated(error)) call check_table(simulation, path, error)
          if (allocated(error)) return
-         if (any_effect(path%effects)) then
+         if (any_effect(path%effects) .or. differentiates_effects(simulation)) then
             call choose_integration(simulation, path, error)
          else if (.not. has_orbit) then
             path%reason = '&string is slack at the start'
@@ -168,6 +169,7 @@ contains
             if (effects%is_string) is_free = is_free .or. string_starts_in_flight(path%length, numbers%first, &
                numbers%second)
          end if
+         path%starts_freely = is_free
          if (is_free) then
             has_orbit = .false.
             path%position = numbers%first
@@ -233,6 +235,8 @@ contains
          path%path = path_integrated
          path%method = 'Newton''s equations integrated by Runge, Kutta, Prince and Dormand''s method of order 8 (GSL)'
          path%reason = trim(integrated_groups(simulation))//': no closed form'
+         if (.not. any_effect(path%effects)) path%reason = trim(integrated_groups(simulation))// &
+            ': derivatives have no closed form'
          call forecast_steps(path%effects, path%length, path%gravity, norm2(path%velocity), path%duration, &
             path%tolerance, path%steps, cause)
          if (groups(cause) > 0) then
@@ -356,6 +360,21 @@ contains
       if (path%effects%density_ratio > 0) lost_phase = &
          epsilon(path%duration)**2/4*(sqrt(path%gravity/path%length)*path%duration)
    end function lost_phase
+
+   !> Whether a derivative is asked for that has no closed form, though the motion may have one: by an effect that is
+   !> zero.
+   pure logical function differentiates_effects(simulation)
+      type(simulation_type), intent(in) :: simulation
+      integer :: j
+
+      differentiates_effects = .false.
+      if (.not. allocated(simulation%settings%derivatives)) return
+      associate (list => simulation%settings%derivatives)
+         do j = 1, size(list)
+            if (.not. has_closed_form(settings(list(j)%setting)%group)) differentiates_effects = .true.
+         end do
+      end associate
+   end function differentiates_effects
 
    !> The groups without a closed form, in words, blanks behind.
    pure function integrated_groups(simulation) result(words)
