@@ -1,17 +1,24 @@
 !> Exact derivatives of the motion: the state-transition matrix and the derivatives with respect to length, gravity and
 !> start, by the closed form differentiated at set-up (doc/formulas.md).
 module kyvadlo_derivatives_real64
-   use, intrinsic :: iso_fortran_env, only: wp => real64, cp => real64
+   use, intrinsic :: iso_fortran_env, only: int64, real64, wp => real64, cp => real64
+   use kyvadlo_batch_constants, only: even_cosines, even_sines, odd_cosines, odd_sines
+   use kyvadlo_batch_dispatch, only: vector_level
+   use kyvadlo_derivative_constants
+   use kyvadlo_derivative_dispatch
    use kyvadlo_gaps_real64, only: gaps_type
-   use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, new_orbit_from_rises
+   use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, &
+      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_release, kernel_limit, kernel_start
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count
    use kyvadlo_batch_constants, only: block_size
-   use kyvadlo_numbers_real64, only: quiet_nan
+   use kyvadlo_numbers_real64, only: is_nan, quiet_nan
    use kyvadlo_pairs_real64
    use kyvadlo_status, only: error_type
+#define has_kernel
 #include "derivatives.inc"
+#undef has_kernel
 end module kyvadlo_derivatives_real64
 
 #ifndef KYVADLO_NO_REAL128
@@ -19,12 +26,12 @@ module kyvadlo_derivatives_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_gaps_real128, only: gaps_type
    use kyvadlo_orbit_real128, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, &
-      new_orbit_from_rises
+      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_release
    use kyvadlo_state_real128, only: new_orbit_from_state
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count
    use kyvadlo_batch_constants, only: block_size
-   use kyvadlo_numbers_real128, only: quiet_nan
+   use kyvadlo_numbers_real128, only: is_nan, quiet_nan
    use kyvadlo_pairs_real128
    use kyvadlo_status, only: error_type
 #include "derivatives.inc"

@@ -73,6 +73,9 @@ for file, kind, degrees, period_degrees in GRADES:
             terms, worst = fit(function, top, degree, relative, kind)
             error = f"largest {'relative' if relative else 'absolute'} error {mp.nstr(worst, 2)}"
             what = f"({text} - 1)/z" if first else text
+            of_period = name in ("logarithm_rest", "mean_series")
+            if of_period:
+                out.write("\n#ifndef without_periods")
             out.write(f"\n   !> {what} in powers of the square z; {error}{' of ' + text if first else ''}.\n")
             out.write(f"   pure real({kind}) function {name}(z) result(total)\n")
             out.write(f"      real({kind}), intent(in) :: z\n\n")
@@ -80,3 +83,5 @@ for file, kind, degrees, period_degrees in GRADES:
             for term in terms[degree - 1:first - 1 if first else None:-1]:
                 out.write(f"      total = {term!r}_{kind} + z*total\n")
             out.write(f"   end function {name}\n")
+            if of_period:
+                out.write("#endif\n")
