@@ -2,17 +2,19 @@
 module kyvadlo_sample_block
    use kyvadlo_effects, only: effects_type
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_samples, only: column_type
    use kyvadlo_scene_groups, only: settings, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
+   use kyvadlo_swing_ellipse, only: apsides_type, ellipse_type, next_ellipse
    use kyvadlo_turned_azimuth, only: is_upright
    use kyvadlo_turning_frame, only: frame_angle, seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, fill_inclination, fill_speed, move_with_pivot, &
-      turn_azimuth, turn_frame
+   public :: block_type, block_samples, columns_of, new_block, fill_ellipse, fill_inclination, fill_speed, &
+      move_with_pivot, shows_ellipse, turn_azimuth, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate`.
    integer, parameter :: block_samples = 8192
@@ -22,6 +24,7 @@ module kyvadlo_sample_block
       integer :: count = 0                          !! Samples in it
       integer :: piece = 1                          !! Of a string: the last one of the block before
       real(wp) :: azimuth = 0                       !! ... and the azimuth at its start, turns counted [rad]
+      type(apsides_type) :: apsides                 !! Of the sample before
       integer :: visible = 0                        !! Columns to hand over
       integer :: column(size(quantities)) = 0       !! First column of a quantity; 0: not needed
       real(wp), allocatable :: values(:, :)         !! (block_samples, columns); the first is the time
@@ -92,7 +95,7 @@ contains
       end do
       block%visible = count
       if (block%column(quantity_derivatives) > 0) call add(quantity_velocity)
-      if (block%column(quantity_speed) > 0) call add(quantity_velocity)
+      if (block%column(quantity_speed) > 0 .or. shows_ellipse(block)) call add(quantity_velocity)
       if (.not. is_one_orbit .and. &
          any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
       if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0 .or. &
@@ -121,6 +124,47 @@ contains
             -values(:n, p + 2))
       end associate
    end subroutine fill_inclination
+
+   pure logical function shows_ellipse(block)
+      type(block_type), intent(in) :: block
+
+      shows_ellipse = any(block%column([quantity_major, quantity_minor, quantity_plane, quantity_handedness]) > 0)
+   end function shows_ellipse
+
+   !> The ellipse of the swing. Positions are relative to the pivot and in the resting frame still; a bob in free flight
+   !> has none.
+   subroutine fill_ellipse(gravity, free_within, rate, block)
+      real(wp), intent(in) :: gravity                         !! Effective [m/s2]
+      real(wp), intent(in) :: free_within                     !! Nearer to the pivot the string is slack [m]
+      real(wp), intent(in) :: rate                            !! Of the frame that the plane is seen from [rad/s]
+      type(block_type), intent(inout) :: block
+      type(ellipse_type) :: ellipse
+      integer :: i
+
+      if (.not. shows_ellipse(block)) return
+      associate (values => block%values, p => block%column(quantity_position), v => block%column(quantity_velocity))
+         do i = 1, block%count
+            if (norm2(values(i, p:p + 2)) < free_within) then
+               ellipse = ellipse_type(quiet_nan_real64, quiet_nan_real64, quiet_nan_real64, quiet_nan_real64)
+            else
+               call next_ellipse(block%apsides, values(i, 1), values(i, p:p + 2), values(i, v:v + 2), gravity, ellipse)
+            end if
+            call put(quantity_major, ellipse%major)
+            call put(quantity_minor, ellipse%minor)
+            call put(quantity_plane, ellipse%plane - rate*values(i, 1))
+            call put(quantity_handedness, ellipse%handedness)
+         end do
+      end associate
+
+   contains
+
+      subroutine put(quantity, value)
+         integer, intent(in) :: quantity
+         real(wp), intent(in) :: value
+
+         if (block%column(quantity) > 0) block%values(i, block%column(quantity)) = value
+      end subroutine put
+   end subroutine fill_ellipse
 
    !> Magnitude of the velocity as it is shown.
    pure subroutine fill_speed(block)

@@ -6,8 +6,8 @@ module kyvadlo_scene_settings_reader
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, place_of
-   use kyvadlo_quantities, only: default_quantities, quantities, quantity_derivatives, quantity_drag_work, &
-      quantity_pivot_work, quantity_position, quantity_velocity
+   use kyvadlo_quantities, only: default_quantities, quantities, quantity_derivatives, quantity_inclination, &
+      quantity_position, quantity_velocity
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: settings_type, value_of_name_type
    use kyvadlo_status, only: code_input, error_type, fail
@@ -117,8 +117,8 @@ contains
          error)
    end subroutine take_values
 
-   !> What of the quantities is differentiated: all but works; position and velocity if none is asked for. By what, is
-   !> read once the start is known.
+   !> What of the quantities is differentiated: all but works and ellipses; position and velocity if none is asked for.
+   !> By what, is read once the start is known.
    pure subroutine take_derivatives(words, chosen, error)
       type(value_of_name_type), intent(in) :: words
       type(settings_type), intent(inout) :: chosen
@@ -129,8 +129,7 @@ contains
       chosen%derivatives_line = words%line(1)
       if (words%line(1) > 0) chosen%derivatives_typed = words%text(1)%text
       associate (asked => chosen%quantities)
-         chosen%differentiated = pack(asked, asked /= quantity_derivatives .and. asked /= quantity_drag_work .and. &
-            asked /= quantity_pivot_work)
+         chosen%differentiated = pack(asked, asked <= quantity_inclination)
          if (size(chosen%differentiated) == 0) chosen%differentiated = [quantity_position, quantity_velocity]
          if (any(asked == quantity_derivatives)) return
       end associate

@@ -2,6 +2,7 @@
 !> number.
 module kyvadlo_simulate
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_buoyancy, only: effective_gravity
    use kyvadlo_derivative_samples, only: begin_derivatives, derivative_samples_type, fill_derivatives, find_matrices
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
 #ifdef KYVADLO_WITH_GSL
@@ -28,6 +29,9 @@ module kyvadlo_simulate
    implicit none
    private
    public :: simulate, states_with_derivatives
+
+   !> A bob on a string that is nearer to the pivot than by this part of the length is in free flight.
+   real(wp), parameter :: slack_part = 1e-9_wp
 
    !> What the samples of a scene are computed with, block by block.
    type :: work_type
@@ -222,6 +226,8 @@ contains
          call fill_derivatives(work%derivatives, simulation, path, block)
       end if
       call fill_inclination(block)
+      call fill_ellipse(effective_gravity(path%gravity, path%effects%density_ratio, path%effects%added_mass), &
+         merge(path%length*(1 - slack_part), 0.0_wp, path%effects%is_string), simulation%settings%frame_rate, block)
       if (simulation%settings%given(turning_frame_group)) call turn_azimuth(simulation%settings%frame_rate, block)
       if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
       if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)

@@ -12,6 +12,7 @@ module kyvadlo_simulation_path
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
+   use kyvadlo_quantities, only: quantity_major
    use kyvadlo_sample_times, only: rounded_off, samples_at_rate
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
@@ -349,6 +350,8 @@ contains
       path%method = path%method//' ('//trim(path%plan%choice_text())//')'
       ! Two figures more than the accuracy has, so that rounding adds a hundredth of it.
       if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
+      if (path%figures > 0 .and. any(simulation%settings%quantities >= quantity_major)) call fail(error, code_input, &
+         'option --accuracy below 1e-16: major, minor, plane and handedness are computed in double precision')
    end subroutine plan_accuracy
 
    !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a

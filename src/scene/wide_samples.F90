@@ -2,11 +2,12 @@
 !> which it cannot tell the phase.
 module kyvadlo_wide_samples
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_sample_block, only: block_type
+   use kyvadlo_sample_block, only: block_type, fill_ellipse, shows_ellipse
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path, only: path_type
 #ifndef KYVADLO_NO_REAL128
    use, intrinsic :: iso_fortran_env, only: qp => real128
+   use kyvadlo_buoyancy, only: effective_gravity
    use kyvadlo_number_text, only: padded_digits, padded_shortest
    use kyvadlo_numbers, only: is_nan
    use kyvadlo_pivot, only: pivot_motion
@@ -61,7 +62,7 @@ contains
    subroutine fill(simulation, path, block, wide)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
-      type(block_type), intent(in) :: block
+      type(block_type), intent(inout) :: block
       real(qp), intent(out) :: wide(:, :)                     !! (sample, column)
       real(qp), dimension(block%count) :: x, y, z, vx, vy, vz
       real(qp) :: inertia, weight
@@ -74,6 +75,14 @@ contains
          t => real(block%values(:block%count, 1), qp))
          inertia = 1 + real(settings%effects%added_mass, qp)*settings%effects%density_ratio
          weight = real(path%gravity, qp)*(1 - real(settings%effects%density_ratio, qp))
+         if (shows_ellipse(block)) then
+            call put(quantity_position, x, y, z)
+            call put(quantity_velocity, vx, vy, vz)
+            block%values(:block%count, 2:) = real(wide(:, 2:), wp)
+            call fill_ellipse(effective_gravity(path%gravity, settings%effects%density_ratio, &
+               settings%effects%added_mass), 0.0_wp, settings%frame_rate, block)
+            wide(:, 2:) = block%values(:block%count, 2:)
+         end if
          if (column(quantity_energy) > 0) wide(:, column(quantity_energy)) = inertia*orbit%energy() &
             + weight*displacement(3)
          if (column(quantity_momentum) > 0) wide(:, column(quantity_momentum)) = orbit%momentum()
