@@ -25,7 +25,7 @@ reason_against() {
       './bootstrap '* | './bootstrap' | 'git clone '* | 'cd kyvadlo') echo 'CI runs it, on a fresh clone' ;;
       'cmake --workflow --preset '* | 'bash .ci/run'*) echo 'CI runs it' ;;
       'cmake '*' part'* | 'part/'* | 'cmake -S fetched'*) echo 'the test part_of_another_project does it' ;;
-      'cmake --preset '* | 'cmake --build '*' --target kyvadlo_to_install' | 'cmake --build '*' --target api_pages') echo 'it is built; the test api_pages_are_written does the pages' ;;
+      'cmake --preset '* | 'cmake --build '*' --target kyvadlo_to_install' | 'cmake --build '*' --target site') echo 'it is built; the test site_is_written does the site' ;;
       'cmake --build '*' --target '*_page) echo 'takes minutes; the tests accuracy_keeps_its_promises, hard_cases_keep_their_promises do it' ;;
       'cmake --build '*' --target pictures') echo 'the test pictures_are_drawn does it' ;;
       'sudo apt-get install '* | 'apt-get install '* | 'pip install '*) echo 'CI installs' ;;
