@@ -2,7 +2,7 @@
 module kyvadlo_quantities
    implicit none
    private
-   public :: quantity_type, quantities, default_quantities
+   public :: quantity_type, quantities, default_quantities, has_derivatives
    public :: quantity_position, quantity_velocity, quantity_speed, quantity_energy, quantity_momentum, &
       quantity_tension, quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work, &
       quantity_derivatives, quantity_major, quantity_minor, quantity_plane, quantity_handedness
@@ -50,6 +50,10 @@ module kyvadlo_quantities
          'azimuth of the swing''s plane: of the nearest highest point'), &
       quantity_type('handedness', 1, [character(len=11) :: 'handedness', '', ''], '1', &
          'of the ellipse: 1 anticlockwise from above, -1, 0 in a plane')]
+
+   !> What `derivatives` differentiates (kyvadlo_derivative_samples).
+   integer, parameter :: has_derivatives(*) = [quantity_position, quantity_velocity, quantity_speed, quantity_energy, &
+      quantity_momentum, quantity_tension, quantity_azimuth, quantity_inclination]
 
    !> Without `quantities`.
    character(len=*), parameter :: default_quantities = 'position velocity'

@@ -6,7 +6,7 @@ module kyvadlo_scene_settings_reader
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, place_of
-   use kyvadlo_quantities, only: default_quantities, quantities, quantity_derivatives, quantity_inclination, &
+   use kyvadlo_quantities, only: default_quantities, has_derivatives, quantities, quantity_derivatives, &
       quantity_position, quantity_velocity
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: settings_type, value_of_name_type
@@ -117,19 +117,20 @@ contains
          error)
    end subroutine take_values
 
-   !> What of the quantities is differentiated: all but works and ellipses; position and velocity if none is asked for.
-   !> By what, is read once the start is known.
+   !> What of the quantities is differentiated; position and velocity if none of them is asked for. By what, is read
+   !> once the start is known.
    pure subroutine take_derivatives(words, chosen, error)
       type(value_of_name_type), intent(in) :: words
       type(settings_type), intent(inout) :: chosen
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       allocate (chosen%derivatives(0))
       chosen%derivatives_typed = ''
       chosen%derivatives_line = words%line(1)
       if (words%line(1) > 0) chosen%derivatives_typed = words%text(1)%text
       associate (asked => chosen%quantities)
-         chosen%differentiated = pack(asked, asked <= quantity_inclination)
+         chosen%differentiated = pack(asked, [(any(has_derivatives == asked(i)), i=1, size(asked))])
          if (size(chosen%differentiated) == 0) chosen%differentiated = [quantity_position, quantity_velocity]
          if (any(asked == quantity_derivatives)) return
       end associate

@@ -24,6 +24,21 @@ expect_in_out 'vx m s-1'
 expect_in_out 'energy m2 s-2'
 expect_in_out 'event_energy_lost m2 s-2'
 
+# Derivatives are columns like others.
+printf '%s\n' '&pendulum length=2, release_angle=60 / &air quadratic=0.1 / &output duration=4, samples=5,' \
+   'quantities="inclination derivatives", derivatives="release_angle quadratic" /' >derived.nml
+run simulate derived.nml --output derived.nc
+expect_status 0
+run simulate derived.nml
+command_line='reading derived.nc'
+expect_in_out 't,inclination,dinclination_drelease_angle,dinclination_dquadratic'
+"$reader" derived.nc >samples
+checks=$((checks + 1))
+tail -n +2 out | cmp -s - samples || complain 'the samples of the CSV expected'
+"$reader" derived.nc attributes >out
+expect_in_out 'dinclination_drelease_angle rad/(degree)'
+expect_in_out 'dinclination_dquadratic rad/(1/m)'
+
 # Many blocks; what does not exist; files whole or not at all.
 printf '%s\n' '&pendulum length=1, z_upper=0.3, z_lower=-0.8 / &output duration=100, samples=20001, quantities="azimuth" /' >long.nml
 run simulate long.nml --output long.nc
