@@ -31,7 +31,7 @@ module kyvadlo_commands
 
    type(command_type), parameter :: commands(*) = [ &
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
-      command_type('simulate', 'SCENE', 'the samples of a scene: places, velocities, energy, tension over time'), &
+      command_type('simulate', 'SCENE', 'the samples of a scene: positions, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
       command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit'), &
       command_type('help', '[TOPIC]', 'what a scene may say: its form, effects and output; help of a command'), &
@@ -67,7 +67,7 @@ module kyvadlo_commands
       option_type('simulate', '--most-steps', 'N', &
          'steps that an integration may take (default 1e7); more are refused'), &
       option_type('simulate', '--accuracy', 'A', &
-         'of the places, in lengths (default all digits); integrated: of a step (1e-12)'), &
+         'of the positions, in lengths (default all digits); integrated: of a step (1e-12)'), &
       option_type('simulate', '--check', '', &
          'run an integrated scene at a tenth of its accuracy beside, and say how far it differs'), &
       option_type('simulate', '--list', '', &

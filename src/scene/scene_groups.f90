@@ -95,7 +95,7 @@ module kyvadlo_scene_groups
       setting_type(moving_pivot_group, 'phase', 3, rule_any, 'deg', 'along x, y, z', '0'), &
       setting_type(moving_pivot_group, 'table', 1, rule_text, '', 'a file of times and displacements instead', ''), &
       setting_type(moving_pivot_group, 'relative', 1, rule_truth, '', &
-      '`.true.`: places and velocities relative to the pivot', '`.false.`'), &
+      '`.true.`: positions and velocities relative to the pivot', '`.false.`'), &
       setting_type(elastic_group, 'stiffness', 1, rule_positive, 'N/m', &
       'of the rod, or of the string with `&string`, positive', 'required'), &
       setting_type(elastic_group, 'mass', 1, rule_positive, 'kg', 'of the bob, positive', 'required'), &
