@@ -12,8 +12,8 @@ module kyvadlo_derivative_samples
    use kyvadlo_quantities
    use kyvadlo_saltation, only: is_tangential, jump_at_shock
    use kyvadlo_sample_block, only: block_samples, block_type
-   use kyvadlo_scene_groups, only: moving_pivot_group, start_gaps, start_heights, start_rises, start_state, &
-      string_group, turning_frame_group
+   use kyvadlo_scene_groups, only: moving_pivot_group, start_gaps, start_heights, start_rises, string_group, &
+      turning_frame_group
    use kyvadlo_setting_changes, only: changes_of_settings, computed_scene_type, setting_change_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
@@ -118,9 +118,6 @@ contains
                case (start_heights, start_gaps, start_rises)
                   derivatives%matrices(:, j, i) = combined(matrix(:, :4), [new%change%length, new%fall, &
                      new%start(:, 1)])
-               case (start_state)
-                  derivatives%matrices(:, j, i) = combined(matrix(:, :8), [new%start(1, :), new%start(2, :), &
-                     new%change%length, new%fall])
                case default
                   derivatives%matrices(:, j, i) = combined(matrix(:, :8), [derivatives%start(:, j), new%change%length, &
                      new%fall])

@@ -15,7 +15,8 @@ module kyvadlo_setting_changes
    use kyvadlo_scene_settings, only: derivative_type, settings_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: error_type
-   use kyvadlo_suspension, only: new_suspension_change, surface_change, suspension_change_type
+   use kyvadlo_suspension, only: new_suspension_change, surface_change, suspension_change_type, &
+      suspension_type
    implicit none
    private
    public :: computed_scene_type, setting_change_type, changes_of_settings
@@ -185,13 +186,13 @@ contains
             call new_derivatives_from_gaps(core, l, g, a(1), b(1), error)
          case (start_rises)
             call new_derivatives_from_rises(core, l, g, a(1), b(1), error)
-         case (start_state)
-            if (.not. scene%starts_freely) call new_derivatives_from_state(core, l, g, a, b, error)
          case default
-            call new_derivatives_from_state(core, l, g, scene%position, scene%velocity, error)
+            if (.not. scene%starts_freely) call new_derivatives_from_state(core, l, g, scene%position, scene%velocity, &
+               error)
          end select
          if (allocated(error)) return
-         if (.not. scene%starts_freely) call core%evaluate(0.0_wp, position, velocity, matrix)
+         if (any(start == [start_heights, start_gaps, start_rises])) call core%evaluate(0.0_wp, position, velocity, &
+            matrix)
          do j = 1, size(changes)
             associate (new => changes(j), made => changes(j)%change)
                first = new%start(1, 1)
@@ -201,7 +202,8 @@ contains
                   column = combined(matrix(:, :4), [made%length, new%fall, first, second])
                case (start_state)
                   column = [new%start(1, :), new%start(2, :)]
-                  if (.not. scene%starts_freely) column = combined(matrix(:, :8), [column, made%length, new%fall])
+                  if (.not. scene%starts_freely) call surface_change(suspension_type(radius=l), &
+                     suspension_change_type(is_none=.false., radius=made%length), a, b, column(1:3), column(4:6))
                case (start_release)
                   column = release_change(l, a(1), made%length, first, second)
                case default
