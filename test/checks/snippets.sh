@@ -30,6 +30,7 @@ reason_against() {
       'cmake --build '*' --target pictures') echo 'the test pictures_are_drawn does it' ;;
       'sudo apt-get install '* | 'apt-get install '* | 'pip install '*) echo 'CI installs' ;;
       *' --write') echo 'it would change the sources' ;;
+      'python '*) echo 'the tests in python/tests do it' ;;
       'kyvadlo-bench'*) echo 'takes a minute; the test bench_prints_its_tables does it, shorter' ;;
    esac
 }
@@ -85,7 +86,8 @@ if [ "$mode" = programs ]; then
             compile="gfortran $option $flags" ;;
          c) source=program.c; compile="${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror $c_flags" ;;
          cpp) source=program.cpp; compile="${CXX:-c++} -std=c++11 -pedantic -Wall -Wextra -Werror $c_flags" ;;
-         python) source=program.py; compile= ;;
+         python) [ "$page" != doc/python.md ] || continue     # python/tests/test_pages.py runs them
+            source=program.py; compile= ;;
          *) continue ;;
       esac
       cp "$block" "$scratch/$source"
@@ -125,7 +127,7 @@ while read -r n name_of_page line language name <&3; do
    block=$scratch/blocks/$n
    case $language in
       console) continue ;;
-      text) [ "$page" = doc/speed.md ] || [ "$page" = doc/accuracy_tables.md ] || [ "$name" = lines ] ||
+      text) [ "$page" = doc/speed.md ] || [ "$page" = doc/python.md ] || [ "$page" = doc/accuracy_tables.md ] || [ "$name" = lines ] ||
             complain 'text is for measurements that differ from run to run: doc/speed.md, doc/accuracy_tables.md, or lines of them'
          continue ;;
       sh | namelist | fortran | c | cpp | python | cmake | toml) ;;
