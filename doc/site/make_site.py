@@ -8,6 +8,7 @@ the program. Formulas become MathML here, so that no other host is asked for any
 """
 import argparse
 import html
+import math
 import os
 import pathlib
 import re
@@ -189,6 +190,9 @@ for line in pages["formulas.md"].split("\n"):
     if row:
         for name in re.findall(r"`(\w+)`", row[3]):
             formula_of.setdefault(name, []).append(f"{row[1]} {row[2]}")
+    row = re.match(r"\| (`\w+`[`\w, ]*) \| (.*\$.*) \|$", line)
+    for name in re.findall(r"`(\w+)`", row[1]) if row else ():
+        formula_of.setdefault(name, []).append(row[2])
 for line in pages["elliptic.md"].split("\n"):
     row = re.match(r"\| (`.*?`) \| ([^|]*\$[^|]*) \| ([^|]*?) ?\|$", line)
     if row:
@@ -210,32 +214,59 @@ PICTURES = {
     "jacobi_functions": ("jacobi x 0.9", -8, 8), "jacobi_functionsc": ("jacobic x 0.1", -8, 8),
     "theta_function": ("theta 1 x 0.3", -6, 6), "bulirsch_cel": ("cel x 1 1 1", 0.05, 3), "bulirsch_el1": ("el1 x 0.5", -6, 6),
     "bulirsch_el2": ("el2 x 0.5 1 0.25", -6, 6), "bulirsch_el3": ("el3 x 0.5 0.5", -6, 6),
-    "height": ("position 1 9.80665 0.3 -0.8 x@2", 0, 3), "rise": ("position 1 9.80665 0.3 -0.8 x@2", 0, 3),
+    "height": ("position 1 9.80665 0.3 -0.8 x@2", 0, 3),
     "azimuth": ("azimuth 1 9.80665 0.3 -0.8 x", 0, 3), "period": ("orbit 1 9.80665 x -0.95@0", -0.94, 0.94),
     "modulus": ("orbit 1 9.80665 x -0.95@1", -0.94, 0.94), "complementary_modulus": ("orbit 1 9.80665 x -0.95@2", -0.94, 0.94),
     "quarter_period": ("orbit 1 9.80665 x -0.95@3", -0.94, 0.94), "nome": ("orbit 1 9.80665 x -0.95@4", -0.94, 0.94),
     "azimuth_rate": ("orbit 1 9.80665 x -0.95@5", -0.94, 0.94), "azimuth_per_period": ("orbit 1 9.80665 x -0.95@6", -0.94, 0.94),
     "apsidal_advance": ("orbit 1 9.80665 x -0.95@7", -0.94, 0.94), "orbit_period_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@0", 0.06, 1.9),
+    "jacobi_am": ("jacobi x 0.9@3", -8, 8), "jacobi_amc": ("jacobic x 0.1@3", -8, 8),
+    "jacobi_evaluate": ("jacobi x 0.9", -8, 8), "time_to_height": ("passage_height 1 9.80665 0.3 -0.8 x", -0.8, 0.3),
+    "time_to_azimuth": ("passage_azimuth 1 9.80665 0.3 -0.8 x", 0, 12), "orbits_period_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@0", 0.06, 1.9),
+    
     "vertical_speed": ("position 1 9.80665 0.3 -0.8 x@5", 0, 3), "locate": ("position 1 9.80665 0.3 -0.8 x@0", 0, 3)}
+
+
+RATIO = re.compile(r"jacobi_([scdn])([scdn])(c?)$")
 
 
 def picture(name):
     """A curve as SVG in the text of a page."""
-    if name not in PICTURES:
-        return ""
-    request, first, last = PICTURES[name]
+    ratio = RATIO.match(name)
+    if ratio:
+        return curve_of("jacobic x 0.1" if ratio[3] else "jacobi x 0.9", -8, 8, f"{ratio[1]}{ratio[2]}")
+    return curve_of(*PICTURES[name]) if name in PICTURES else ""
+
+
+def value(answer, column, ratio):
+    numbers = [float(word) for word in answer.split()]
+    if not ratio:
+        return numbers[column]
+    parts = dict(zip("scd", numbers), n=1.0)
+    return parts[ratio[0]] / parts[ratio[1]] if abs(parts[ratio[1]]) > 0.05 else math.nan
+
+
+def curve_of(request, first, last, ratio=None):
     request, _, column = request.partition("@")
+    shown = request + (f", {ratio}" if ratio else "")
     xs = [first + (last - first) * i / 200 for i in range(201)]
     answers = subprocess.run([options.program, "eval"], input="".join(re.sub(r"\bx\b", repr(x), request) + "\n" for x in xs),
                              capture_output=True, text=True).stdout.split("\n")
-    curve = [(x, float(answer.split()[int(column or 0)])) for x, answer in zip(xs, answers) if answer and "error" not in answer and "Inf" not in answer]
-    low, high = min(y for _, y in curve), max(y for _, y in curve)
-    points = " ".join(f"{40 + 320 * (x - first) / (last - first):.1f},{170 - 150 * (y - low) / ((high - low) or 1):.1f}" for x, y in curve)
+    curve = [(x, value(answer, int(column or 0), ratio)) for x, answer in zip(xs, answers) if answer and "error" not in answer and "Inf" not in answer]
+    low, high = min(y for _, y in curve if y == y), max(y for _, y in curve if y == y)
+    pieces, points = [], ""            # a pole parts the curve
+    for x, y in curve + [(last, math.nan)]:
+        if y == y:
+            points += f" {40 + 320 * (x - first) / (last - first):.1f},{170 - 150 * (y - low) / ((high - low) or 1):.1f}"
+        elif points:
+            pieces.append(f'<polyline points="{points.strip()}" fill="none" stroke="#2a6fb0"/>')
+            points = ""
     return (f'<svg class="curve" width="380" height="200" role="img" aria-label="{html.escape(request)} over x">'
-            f'<rect x="40" y="20" width="320" height="150" fill="none" stroke="#999"/><polyline points="{points}" fill="none" stroke="#2a6fb0"/>'
+            f'<rect x="40" y="20" width="320" height="150" fill="none" stroke="#999"/>'
+            f'{"".join(pieces)}'
             f'<text x="40" y="186" font-size="11">x = {first:g}</text><text x="360" y="186" font-size="11" text-anchor="end">{last:g}</text>'
             f'<text x="44" y="32" font-size="11">{high:.4g}</text><text x="44" y="166" font-size="11">{low:.4g}</text>'
-            f'<text x="200" y="14" font-size="12" text-anchor="middle">kyvadlo eval {html.escape(request)}</text></svg>')
+            f'<text x="200" y="14" font-size="12" text-anchor="middle">kyvadlo eval {html.escape(shown)}</text></svg>')
 
 
 def clean(text):
@@ -251,6 +282,8 @@ def stub(name, specific, of_type=None):
     """A procedure with its comment and arguments, and nothing in it."""
     attributes, kind, arguments, result, doc, body = procedures[specific]
     text = [clean(line) for line in doc]
+    if RATIO.match(name) or name.startswith("jacobi_am"):
+        text += ["", "Domain, error and source as [[jacobi_functions]]; Infinity at a pole."]
     if formula_of.get(name) or formula_of.get(specific):
         text += ["", "**Formula.** " + mathematics("; ".join(formula_of.get(name) or formula_of.get(specific)))]
     drawn = picture(name)
