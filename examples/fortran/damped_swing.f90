@@ -17,10 +17,7 @@ program damped_swing
    effects%linear_drag = 0.05_wp
    call new_integration(run, effects, length=1.0_wp, gravity=9.80665_wp, position=[0.6_wp, 0.0_wp, -0.8_wp], &
       velocity=[0.0_wp, 1.5_wp, 0.0_wp], tolerance=1e-12_wp, error=error)
-   if (allocated(error)) then   ! as in a build without GSL
-      print '(a)', error%message
-      stop
-   end if
+   if (allocated(error)) error stop error%message
 
    print '(a)', '    t [s]      z [m]   momentum/exp(-t/20)   energy - work'
    do block = 0, 1

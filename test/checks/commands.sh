@@ -37,7 +37,7 @@ while [ "$i" -lt "$count" ]; do
    command=$(cat "$scratch/$i.command")
    case $command in ./bootstrap*) cp "$scratch/$i.expected" "$scratch/$i.got"; continue ;; esac
    # An example in C++ is not built where there is no such compiler; pictures and pages need their tools.
-   for tool in orbit_cpp gnuplot python3 pkg-config fpm; do
+   for tool in orbit_cpp damped_swing gnuplot python3 pkg-config fpm; do
       case " $command" in
          *[\ \|]$tool*) command -v "$tool" >/dev/null 2>&1 && continue
             echo "$page:$(cat "$scratch/$i.line"): not run: $command ($tool is not here)"
@@ -69,5 +69,5 @@ if [ "$write" = --write ]; then
    exit
 fi
 [ "$bad" -eq 0 ] || exit 1
-[ "$run" -gt 0 ] || { echo "$page: no command was run"; exit 1; }
+[ "$run" -gt 0 ] || { echo "$page: what its commands need is not here"; exit 77; }
 echo "$page: $run commands print what it shows"

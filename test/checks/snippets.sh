@@ -90,6 +90,8 @@ if [ "$mode" = programs ]; then
             source=program.py; compile= ;;
          *) continue ;;
       esac
+      # A build without GSL has no integrator.
+      if grep -q 'use kyvadlo_integrator' "$block" && [ -z "$(find "$place" -name kyvadlo_integrator.mod)" ]; then continue; fi
       cp "$block" "$scratch/$source"
       cd "$scratch" || exit 1
       if [ "$language" = python ]; then
