@@ -257,6 +257,13 @@ contains
       associate (l => scene%length, x => scene%position(1), z => scene%position(3), g => gravity)
          kinetic = energy + level*g*l - g*z
          more = first + level*(heavier*l + g*longer)
+         if (.not. abs(x) > 0) then
+            ! Over the top in a plane: x is the momentum over the speed there.
+            associate (speed => scene%velocity(2))
+               column = [second/speed, 0.0_wp, longer, 0.0_wp, (more - heavier*z - g*longer)/speed, 0.0_wp]
+            end associate
+            return
+         end if
          higher = (x**2*(more - z*heavier) + 2*kinetic*l*longer - momentum*second)/(g*x**2 + 2*z*kinetic)
          wider = (l*longer - z*higher)/x
          column = [wider, 0.0_wp, higher, 0.0_wp, (second - momentum*wider/x)/x, 0.0_wp]
