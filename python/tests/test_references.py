@@ -69,7 +69,7 @@ def ulps(actual, expected):
 
 
 def test_every_file_is_read_here():
-    apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers",   # below
+    apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers", "derivatives_release",   # below
              "grid_points"}   # decimals of a grid of the command line: no function of the package
     assert {path.stem for path in FOLDER.glob("*.dat")} == {*FUNCTIONS, *MOTION, *STATES, *apart}
 
@@ -258,6 +258,18 @@ def test_derivatives_from_turning_heights(start):
         compared += 1
         assert share(matrix, np.reshape([float(word) for word in expected], (6, 5)), change, 128) <= 1, (label, x)
     assert compared >= 0.8*total
+
+
+def test_derivatives_from_releases():
+    """Along the state at t = 0, (l sin(angle), 0, -l cos(angle)) and (0, speed, 0), from there by the chain rule."""
+    for label, bits, x, expected, condition in rows("derivatives_release"):
+        def matrix_of(x):
+            x_, y, z, vx, vy, vz, length, gravity, t = kyvadlo.Orbit.from_release(*x[:4]).derivatives(x[4]).matrices.T
+            sine, cosine = np.sin(np.radians(x[2])), np.cos(np.radians(x[2]))
+            along_angle = x[0]*(x_*cosine + z*sine)*np.pi/180
+            return np.stack([length + x_*sine - z*cosine, gravity, along_angle, vy, t], axis=1)
+        matrix, change = changes(matrix_of, x, 5)
+        assert share(matrix, np.reshape([float(word) for word in expected], (6, 5)), change, 128) <= 1, (label, x)
 
 
 @pytest.mark.parametrize("start", ["heights", "gaps", "rises"])
