@@ -18,8 +18,8 @@ module kyvadlo_simulate_command
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_scene_effects, only: get_table_path
    use kyvadlo_settings_list, only: write_settings
-   use kyvadlo_standard_io, only: close_output, discard_output, get_unfinished_name, is_on_terminal, is_terminal, &
-      message, open_output, output_type
+   use kyvadlo_standard_io, only: become_program, close_output, discard_output, get_unfinished_name, is_on_terminal, &
+      is_terminal, message, open_output, output_type
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_text, only: shown
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
@@ -103,11 +103,16 @@ contains
          end if
       end do
       if (is_netcdf_name(option_value(arguments, '--output', ''))) then
-#ifdef KYVADLO_WITH_NETCDF
+#if defined(KYVADLO_WITH_NETCDF) || defined(KYVADLO_DATA_PROGRAM)
          if (option_given(arguments, '--events')) then
             call fail(error, code_input, 'option --events: a NetCDF file has the events in it')
             return
          end if
+#endif
+#ifdef KYVADLO_WITH_NETCDF
+#elif defined(KYVADLO_DATA_PROGRAM)
+         call become_program(KYVADLO_DATA_PROGRAM, 'NetCDF', error)
+         return
 #else
          call fail(error, code_unsupported, 'cannot write '//option_value(arguments, '--output', '') &
             //': this build has no NetCDF-Fortran (CMake finds it at configure time)')

@@ -13,7 +13,7 @@ module kyvadlo_standard_io
    private
    public :: output_type, open_output, close_output, discard_output, flush_output, is_on_terminal, get_unfinished_name
    public :: input_type, longest_line, read_line
-   public :: end_program, is_terminal, make_folder, message, prepare_program, terminal_width
+   public :: become_program, end_program, is_terminal, make_folder, message, prepare_program, terminal_width
    public :: descriptor_of
 
    integer, parameter :: buffer_size = 65536
@@ -49,6 +49,12 @@ module kyvadlo_standard_io
       end subroutine kyvadlo_prepare
       subroutine kyvadlo_remove_unfinished() bind(c)
       end subroutine kyvadlo_remove_unfinished
+      function kyvadlo_become(name, arguments, count) bind(c) result(status)
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: name(*), arguments(*)
+         integer(c_int), value :: count
+         integer(c_int) :: status
+      end function kyvadlo_become
       function kyvadlo_stack_of_threads() bind(c) result(bytes)
          import :: c_long
          integer(c_long) :: bytes
@@ -143,6 +149,27 @@ contains
       ! What is said before a long run is read before it, in a file or a pipe too.
       flush (error_unit)
    end subroutine message
+
+   !> Goes on as another program with the same arguments, one that lies beside this and is linked with more libraries:
+   !> those take longer to load than most commands to run. Comes back only with an error.
+   subroutine become_program(name, what, error)
+      character(len=*), intent(in) :: name                    !! From the folder of this program
+      character(len=*), intent(in) :: what                    !! Is done there, for the message
+      type(error_type), allocatable, intent(out) :: error
+      character(kind=c_char, len=:), allocatable :: arguments, argument
+      integer :: i, length, status
+
+      arguments = ''
+      do i = 0, command_argument_count()
+         call get_command_argument(i, length=length)
+         if (allocated(argument)) deallocate (argument)
+         allocate (character(kind=c_char, len=length) :: argument)
+         call get_command_argument(i, argument)
+         arguments = arguments//argument//c_null_char
+      end do
+      status = int(kyvadlo_become(name//c_null_char, arguments, int(command_argument_count() + 1, c_int)))
+      call fail_of_system(error, what//': cannot run the program '//name//' beside this one', status)
+   end subroutine become_program
 
    !> Makes a folder, unless it is there already; the folder it lies in must be there.
    subroutine make_folder(path, error)

@@ -24,6 +24,9 @@
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
 #define PATH_SIZE PATH_MAX
 #define O_BINARY 0
 #endif
