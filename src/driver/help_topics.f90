@@ -92,8 +92,12 @@ contains
          call put_lines('The words of `quantities` ('//default_quantities//' if it is not given), in any order:', '')
          do i = 1, size(quantities)
             associate (q => quantities(i))
-               call put_item(trim(q%name), trim(q%meaning)//' ['//trim(q%unit)//'], in '// &
-                  columns_text(q%column_names(:q%columns)))
+               if (any(q%column_names(:q%columns) /= '')) then
+                  call put_item(trim(q%name), trim(q%meaning)//' ['//trim(q%unit)//'], in '// &
+                     columns_text(q%column_names(:q%columns)))
+               else   ! its columns depend on the others
+                  call put_item(trim(q%name), trim(q%meaning))
+               end if
             end associate
          end do
       end if
