@@ -1,4 +1,4 @@
-!> What the kernels of the derivatives read of an orbit: a passage with its changes along four directions as polynomials,
+!> What the kernels of the derivatives read of an orbit: a passage and four changes of it as polynomials,
 !> in real64 (derivatives.inc fills it in).
 module kyvadlo_derivative_constants
    use, intrinsic :: iso_fortran_env, only: real64
@@ -9,7 +9,7 @@ module kyvadlo_derivative_constants
    !> Times a kernel takes at once: what it keeps in between stays in the first cache.
    integer, parameter :: lanes = 32
 
-   !> Powers of a short time: the nearest pole of the motion, at i K' in w, is some four times as far as this, and 4**(-n)
+   !> Powers of a short time: the nearest pole, at i K' in w, is about four times as far as this, and 4**(-n)
    !> below epsilon.
    integer, parameter :: most_short = 28
 
@@ -17,7 +17,7 @@ module kyvadlo_derivative_constants
    !> almost does itself; by heights, of a fast motion that is no circle.
    integer, parameter :: gravity_by_coordinates = 0, gravity_by_speeds = 1, gravity_by_heights = 2
 
-   !> A series of [S5.1], or its change along a direction. Direct: `parts` are polynomials in u = cos 2v whose sums times
+   !> A series of [S5.1], or its change along a direction. Direct: `parts`, polynomials in u = cos 2v, whose sums times
    !> m1 or m2 (c and s, cosine and sine of v, for odd powers; 1 and 2 s c for even ones) make, of real coefficients: 1
    !> the real part by m1, 2 the imaginary one by m2, 3 and 4 real and imaginary part of the slope by m2 and m1; of
    !> imaginary ones: 5 the imaginary part by m1, 6 the real one by m2, 7 and 8 imaginary and real part of the slope by
