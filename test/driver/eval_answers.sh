@@ -1,11 +1,11 @@
-# Every name of eval against mpmath (eval_answers.txt by make_eval_answers.py), in three kinds: the right function, its
+# Every name of eval against mpmath (eval_answers.txt by make_eval_answers.py), in every kind: the right function, its
 # arguments and results in the right order. The last digits are the business of test/unit.
 . "$2/test/driver/expect.sh"
 
 answers=$top/test/driver/eval_answers.txt
 grep -v '^#' "$answers" | cut -d = -f 1 >in
 grep -v '^#' "$answers" | cut -d = -f 2 >expected
-for kind in single double quad; do
+for kind in $kinds; do
    case $kind in
       single) bound=2e-6 ;;
       *) bound=4e-15 ;;

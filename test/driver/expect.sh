@@ -8,6 +8,11 @@ cd "$scratch" || exit 1
 failures=0
 checks=0
 
+# Whether the build has quadruple precision: CMake says so.
+has_quad() { [ -z "${KYVADLO_NO_REAL128-}" ]; }
+kinds='single double'
+! has_quad || kinds="$kinds quad"
+
 # run ARGUMENT...: runs the program, input from ./in if there is one; leaves ./out, ./err and $status.
 run() {
    command_line="kyvadlo $*"

@@ -1,6 +1,12 @@
 # The command study: options, the record of a quick run, its summary, and what it says of a scene.
 . "$2/test/driver/expect.sh"
 
+if ! has_quad; then
+   fails 2 'study: this build has no quadruple precision, in which a study measures errors' study --quick
+   finish
+   exit
+fi
+
 fails 2 "option --seconds must be a number of seconds, got 'soon'" study --seconds soon
 fails 2 "option --seconds must be a number of seconds, got '0'" study --seconds 0
 fails 2 "option --seconds must be a number of seconds, got '1e9'" study --seconds 1e9

@@ -11,7 +11,7 @@ fails 2 'option --kind needs a value: single|double|quad' eval K 0.5 --kind
 fails 2 "option --kind must be one of single|double|quad, got 'half'" eval --kind half K 0.5
 fails 2 "option --kind must be one of single|double|quad, got 'single|double'" eval '--kind=single|double' K 0.5
 fails 2 "option --kind must be one of single|double|quad, got ''" eval --kind= K 0.5
-fails 2 'option --kind given twice' eval --kind quad --kind quad K 0.5
+fails 2 'option --kind given twice' eval --kind double --kind double K 0.5
 fails 2 'option --list takes no value' eval --list=3
 
 for word in --help -h; do
@@ -36,8 +36,9 @@ fails 2 'takes no value' --version=3
 # The examples of the help run (the one that measures, and the one that needs a file of requests, left out).
 run --help
 grep '^  kyvadlo ' out | grep -v -e study -e '<' >examples
+has_quad || sed -i '/quad/d' examples
 checks=$((checks + 1))
-[ "$(wc -l <examples)" -ge 6 ] || complain 'at least six examples expected'
+[ "$(wc -l <examples)" -ge 4 ] || complain 'at least four examples expected'
 while read -r line; do
    command_line=$line
    (cd "$top" && PATH=$(dirname "$program"):$PATH sh -c "$line") >out 2>err

@@ -6,7 +6,7 @@
 !> The angles: a about the axis of the upper hinge, b about that of the lower; the bob is at e sin a along the long direction,
 !> s sin b along the short one and upper - e cos a in height, e = apart + s cos b. With both hinges in one point it is a sphere.
 module lagrange_motion
-   use reference_kinds, only: qp => real128
+   use reference_kinds, only: qp => integrated
    implicit none
    private
    public :: scene_type, contact_type, lagrange_run
@@ -345,7 +345,7 @@ contains
          low = high
       end do
       if (.not. hit) return
-      do while (high - low > 1e-24_qp)
+      do while (high - low > max(1e-24_qp, spacing(high)))
          middle = (low + high)/2
          if (margin(motion, motion%t + middle, stepped(motion, middle)) < 0) then
             high = middle
