@@ -15,7 +15,7 @@ module kyvadlo_force_changes
    type :: change_type
       real(wp) :: position(3) = 0, velocity(3) = 0 !! Of the start, relative to the pivot
       real(wp) :: length = 0, gravity = 0
-      type(effects_type) :: effects                !! Its numbers are changes; no table
+      type(effects_type) :: effects = effects_type()   !! Its numbers are changes; no table
    end type change_type
 
    !> The same with what follows from it, for `move_changes`.
@@ -94,6 +94,7 @@ contains
       real(wp), intent(in) :: time                        !! Of the last `move` [s]
       real(wp), intent(in) :: position(3), velocity(3), acceleration(3)
       type(here_type) :: here
+      type(forces_change_type) :: none
       real(wp) :: jerk(3), pivot_jerks(3), pivot_accelerations(3)
 
       pivot_accelerations = 0
@@ -103,7 +104,7 @@ contains
          pivot_jerks = pivot_jerk(forces%effects, time)
       end if
       call look(forces, .true., position, velocity, here)
-      call change_here(forces, here, forces_change_type(), position, velocity, [velocity, acceleration], &
+      call change_here(forces, here, none, position, velocity, [velocity, acceleration], &
          pivot_accelerations, pivot_jerks, jerk, rate)
    end function tension_rate
 
