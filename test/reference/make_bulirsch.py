@@ -68,30 +68,36 @@ def moduli(bits, r):
     yield 'large', power_of_ten(r.uniform(0, wide))
 
 
+def questions(bits, r, count):
+    """Function, set and arguments, `count` of every combination."""
+    wide = {32: 18, 64: 140, 128: 400}[bits]
+    for _ in range(count):
+        for name, kc in moduli(bits, r):
+            for p_name, p in (('plain', power_of_ten(r.uniform(-2, 2))), ('p_far', power_of_ten(r.uniform(-wide/4, wide/4))),
+                              ('p_negative', -power_of_ten(r.uniform(-3, 3)))):
+                a, b = uniform(r, 0, 2), uniform(r, 0, 2)
+                arguments = [rounded(v, bits) for v in (kc, p, a, b)]
+                yield 'cel', f'{name}_{p_name}', arguments
+                yield 'cel', f'{name}_{p_name}_signs', arguments[:3] + [-arguments[3]]
+                x = r.choice((1, -1))*power_of_ten(r.choice((r.uniform(-1, 2), r.uniform(-wide/2, wide/2))))
+                yield 'el3', f'{name}_{p_name}', [rounded(v, bits) for v in (x, kc, p)]
+            for x_name, decades in (('plain', 2), ('far', wide)):
+                x = r.choice((1, -1))*power_of_ten(r.uniform(-decades, decades))
+                x, kc_, a, b = (rounded(v, bits) for v in (x, kc, uniform(r, 0, 2), uniform(r, 0, 2)))
+                yield 'el1', f'{name}_{x_name}', [x, kc_]
+                yield 'el2', f'{name}_{x_name}', [x, kc_, a, b]
+                yield 'el2', f'{name}_{x_name}_signs', [x, kc_, a, -b]
+
+
+FUNCTIONS = {'cel': (4, cel), 'el1': (2, el1), 'el2': (4, el2), 'el3': (3, el3)}
+
+
 def main():
-    rows = {name: [] for name in ('cel', 'el1', 'el2', 'el3')}
-    for bits in (32, 64, 128):
-        r = random.Random(70 + bits)
-        wide = {32: 18, 64: 140, 128: 400}[bits]
-        for _ in range({32: 12, 64: 40, 128: 8}[bits]):
-            for name, kc in moduli(bits, r):
-                for p_name, p in (('plain', power_of_ten(r.uniform(-2, 2))), ('p_far', power_of_ten(r.uniform(-wide/4, wide/4))),
-                                  ('p_negative', -power_of_ten(r.uniform(-3, 3)))):
-                    a, b = uniform(r, 0, 2), uniform(r, 0, 2)
-                    arguments = [rounded(v, bits) for v in (kc, p, a, b)]
-                    rows['cel'].append(row(f'{name}_{p_name}', bits, arguments, cel))
-                    arguments[3] = -arguments[3]
-                    rows['cel'].append(row(f'{name}_{p_name}_signs', bits, arguments, cel))
-                    x = r.choice((1, -1))*power_of_ten(r.choice((r.uniform(-1, 2), r.uniform(-wide/2, wide/2))))
-                    x, kc_, p = (rounded(v, bits) for v in (x, kc, p))
-                    rows['el3'].append(row(f'{name}_{p_name}', bits, [x, kc_, p], el3))
-                for x_name, decades in (('plain', 2), ('far', wide)):
-                    x = r.choice((1, -1))*power_of_ten(r.uniform(-decades, decades))
-                    x, kc_, a, b = (rounded(v, bits) for v in (x, kc, uniform(r, 0, 2), uniform(r, 0, 2)))
-                    rows['el1'].append(row(f'{name}_{x_name}', bits, [x, kc_], el1))
-                    rows['el2'].append(row(f'{name}_{x_name}', bits, [x, kc_, a, b], el2))
-                    rows['el2'].append(row(f'{name}_{x_name}_signs', bits, [x, kc_, a, -b], el2))
-    for name, count in (('cel', 4), ('el1', 2), ('el2', 4), ('el3', 3)):
+    rows = {name: [] for name in FUNCTIONS}
+    for bits, count in {32: 12, 64: 40, 128: 8}.items():
+        for name, set_name, arguments in questions(bits, random.Random(70 + bits), count):
+            rows[name].append(row(set_name, bits, arguments, FUNCTIONS[name][1]))
+    for name, (count, _) in FUNCTIONS.items():
         write(f'bulirsch_{name}.dat', f'Bulirsch\'s {name}, by make_bulirsch.py.', count, 1, rows[name])
 
 

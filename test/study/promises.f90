@@ -82,6 +82,8 @@ contains
          label = 'Pi'
       case ('nome', 'nome_c')
          label = 'q'
+      case ('bulirsch_cel', 'bulirsch_el1', 'bulirsch_el2', 'bulirsch_el3')
+         label = question(10:)
       case ('zeta', 'zeta_c')
          label = 'Z'
       case ('lambda', 'lambda_c')
@@ -159,6 +161,14 @@ contains
          title = 'Pi(n, phi, m)'
       case ('incomplete_pi_c')
          title = 'Pi(n, phi) of 1-m'
+      case ('bulirsch_cel')
+         title = 'Bulirsch''s cel(kc, p, a, b)'
+      case ('bulirsch_el1')
+         title = 'Bulirsch''s el1(x, kc)'
+      case ('bulirsch_el2')
+         title = 'Bulirsch''s el2(x, kc, a, b)'
+      case ('bulirsch_el3')
+         title = 'Bulirsch''s el3(x, kc, p)'
       case ('zeta')
          title = 'Jacobi''s zeta function Z(u, m)'
       case ('zeta_c')

@@ -14,7 +14,7 @@ contains
       character(len=*), intent(in) :: command
 
       write (output_unit, '(a)') 'Printed by', '', '```sh', command, '```', '', &
-         'Here: kyvadlo '//version//', '//compiler//', `'//trim(adjustl(compiler_flags))//'`, '//processor()//'.', ''
+         'Here: kyvadlo '//version//', '//compiler//', `'//trim(adjustl(compiler_flags))//'`, '//trim(processor())//'.', ''
    end subroutine write_machine
 
    !> Two or three significant digits.
