@@ -65,6 +65,8 @@ show('FAULT_DC', complete(quad('0.06173632424734089162499030478783734516825'))[0
 show('FAULT_RJ', rj_negative(1.5, 3.0, 1e130, 1.99))
 show('FAULT_RJ_2', rj_negative(1.5, 3.0, 1e230, 1.99))
 show('FAULT_RJ_3', rj_negative(5e-324, 0.0, 1.270196509085502e240, 5e-324))
+show('FAULT_RJ_4', rj_negative(0.0, 1e-305, 2e148, 1e234))
+show('FAULT_RJ_5', rj_negative(1e-306, 1e-304, 1e20, 1e298))
 show('FAULT_PI', acb.elliptic_pi(acb(a(-1e308)), acb(a(-1e308))).real)
 show('FAULT_EINC', acb.elliptic_e_inc(acb(a(4e307)), acb(a(0.9999999999999999))).real)
 show('FAULT_PIINC_3', pi_inc(-1e308, 1.0, -1e308))
@@ -82,3 +84,22 @@ show('FAULT_RC_2', arb.pi()/2/a(1e-300).sqrt())
 show('FAULT_RC_3', arb.pi()/2/a(5e-324).sqrt())
 show('FAULT_THETA_LARGE', theta(1, a(1e22), 0.25))
 show('FAULT_F', acb.elliptic_f(acb(a(0.02900929685633258)), acb(a(1188.6320168864793))).real)
+
+
+def far():
+    """Jacobi's functions far out, at the exact parameter."""
+    import function_campaign as campaign
+    from legendre_reference import rounded
+    for bits, u, m, is_complement in ((64, 2**60, 0.3, False), (64, 1e20, -7.5, False), (64, 3e25, 2.25, False), (64, 1e18, 1e-5, True),
+                                      (32, '1e9', '0.3', False), (128, 2**150, '0.7', False)):
+        u, m = rounded(Fraction(u), bits), rounded(Fraction(m), bits)
+        m = 1 - m if is_complement else m
+        values = campaign.proved(campaign.jacobi, [u, m], bits)
+        flint.ctx.prec = 6000
+        for name, v in zip(('sn', 'cn', 'dn', 'am'), values):
+            show(f'FAR {bits} {name}', arb(flint.fmpq(v.numerator, v.denominator)))
+    v = campaign.proved(campaign.zeta, [Fraction(10**15), Fraction(0.9)], 64)[0]
+    show('FAR_ZETA', arb(flint.fmpq(v.numerator, v.denominator)))
+
+
+far()
