@@ -16,7 +16,7 @@ module kyvadlo_simulation_path
    use kyvadlo_sample_times, only: rounded_off, samples_at_rate
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
-   use kyvadlo_scene_orbit, only: numbers_of, numbers_type, pendulum_orbit
+   use kyvadlo_scene_orbit, only: numbers_of, numbers_type, orbit_in_fluid, pendulum_orbit
    use kyvadlo_scene_settings, only: settings_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_number_text, only: digits_text, read_number, shortest_text
@@ -352,6 +352,10 @@ contains
       if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
       if (path%figures > 0 .and. any(simulation%settings%quantities >= quantity_major)) call fail(error, code_input, &
          'option --accuracy below 1e-16: major, minor, plane and handedness are computed in double precision')
+      ! Figures beyond those of doubles are figures of the decimals that were written, not of the doubles next to them.
+      if (.not. allocated(error) .and. path%figures > 0 .and. allocated(path%plan%wide)) call orbit_in_fluid( &
+         simulation%pendulum, simulation%settings%effects%density_ratio, simulation%settings%effects%added_mass, &
+         path%plan%wide, error)
    end subroutine plan_accuracy
 
    !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a

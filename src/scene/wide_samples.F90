@@ -8,7 +8,7 @@ module kyvadlo_wide_samples
 #ifndef KYVADLO_NO_REAL128
    use, intrinsic :: iso_fortran_env, only: qp => real128
    use kyvadlo_buoyancy, only: effective_gravity
-   use kyvadlo_number_text, only: padded_digits, padded_shortest
+   use kyvadlo_number_text, only: padded_digits, padded_shortest, read_number, shortest_text
    use kyvadlo_numbers, only: is_nan
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
@@ -65,14 +65,21 @@ contains
       type(block_type), intent(inout) :: block
       real(qp), intent(out) :: wide(:, :)                     !! (sample, column)
       real(qp), dimension(block%count) :: x, y, z, vx, vy, vz
-      real(qp) :: inertia, weight
+      real(qp) :: t(block%count), inertia, weight
       real(wp) :: displacement(3), velocity(3)
+      character(len=:), allocatable :: ignored
+      integer :: i
 
       wide = 0
-      call path%plan%locate(block%values(:block%count, 1), x, y, z, vx, vy, vz)
+      t = block%values(:block%count, 1)
+      if (path%figures > 0) then ! Of the times as they are written, too
+         do i = 1, block%count
+            call read_number(shortest_text(block%values(i, 1)), t(i), ignored)
+         end do
+      end if
+      call path%plan%wide%locate(t, x, y, z, vx, vy, vz)
       call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
-      associate (orbit => path%plan%wide, column => block%column, settings => simulation%settings, &
-         t => real(block%values(:block%count, 1), qp))
+      associate (orbit => path%plan%wide, column => block%column, settings => simulation%settings)
          inertia = 1 + real(settings%effects%added_mass, qp)*settings%effects%density_ratio
          weight = real(path%gravity, qp)*(1 - real(settings%effects%density_ratio, qp))
          if (shows_ellipse(block)) then

@@ -95,6 +95,18 @@ if has_quad; then
    expect_match '^2e+00,-0.204193214788280422521119048027'
    run simulate figures.nml --accuracy 1e-15
    expect_match '^1e+00,8.79548132411889[0-9]*e-01,'
+   # 0.1 is the decimal, not the double next to it, which is 5e-18 off; and the times are, as `eval --kind quad position` reads them.
+   cat >decimals.nml <<'END'
+&pendulum length=0.1, gravity=9.81, z_upper=-0.02, z_lower=-0.07 /
+&output duration=0.6, samples=3 /
+END
+   run simulate decimals.nml --accuracy 1e-30
+   expect_status 0
+   expect_match '^3e-01,-0.0353426244927007547121416295508[0-9]*,-0.0896645058701241312200631917880[0-9]*,'
+   echo '&buoyancy density_ratio=0.5, added_mass=0 /' >>decimals.nml
+   run simulate decimals.nml --accuracy 1e-30
+   expect_status 0
+   expect_match '^3e-01,-0.0778868909772754338022127919006[0-9]*,-0.0024566955111624188067521341862[0-9]*,'
    fails 2 '.nc' simulate figures.nml --accuracy 1e-20 --output figures.nc
 else
    fails 2 'option --accuracy must be at least 3.6e-15' simulate figures.nml --accuracy 1e-20
