@@ -6,19 +6,21 @@ program kyvadlo_bench
    use kyvadlo_bench_interfaces, only: bench_interfaces
    use kyvadlo_bench_motion, only: bench_motion
    use kyvadlo_bench_scenes, only: bench_scenes
+   use kyvadlo_bench_threads, only: bench_threads
    implicit none
 
-   character(len=*), parameter :: tables(5) = [character(len=12) :: &
-      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes']
+   character(len=*), parameter :: tables(6) = [character(len=12) :: &
+      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes', '--threads']
    character(len=*), parameter :: help(*) = [character(len=88) :: &
       'Usage: kyvadlo-bench [--functions] [--interfaces] [--motion] [--accuracy] [--scenes]', &
-      '                     [--quick]', &
+      '                     [--threads] [--quick]', &
       '', &
       '  --functions   the elliptic functions', &
       '  --interfaces  a call from Fortran, from C and from Fortran 77', &
       '  --motion      positions, velocities, periods and set-up', &
       '  --accuracy    positions to a stated accuracy', &
       '  --scenes      samples of simulated scenes', &
+      '  --threads     many positions on one thread and two, idle and beside two busy loops', &
       '  --quick       a tenth of the passes: to see that it runs, not to measure', &
       '', &
       'Without a table named, all. Medians of several passes, all columns of a row measured in', &
@@ -53,4 +55,5 @@ program kyvadlo_bench
    if (wanted(3)) call bench_motion(output_unit, quick)
    if (wanted(4)) call bench_accuracy(output_unit, quick)
    if (wanted(5)) call bench_scenes(output_unit, quick)
+   if (wanted(6)) call bench_threads(output_unit, quick)
 end program kyvadlo_bench
