@@ -21,8 +21,8 @@ expect_match '^T alone .*[0-9]'
 expect_match '^separatrix  *1000 periods.*[0-9]'
 run --threads --quick
 expect_status 0
-expect_match '^ *nothing else to do  *[0-9.]*  *[0-9.]*$'
-expect_match '^ *beside two busy loops  *[0-9.]*  *[0-9.]*$'
+expect_match '^nothing else to do   *[0-9.]*  *[0-9.]*  *[0-9.]*  *[0-9.]*$'
+expect_match '^beside two busy loops  *[0-9.]*  *[0-9.]*  *[0-9.]*  *[0-9.]*$'
 run --accuracy --quick
 expect_status 0
 expect_match '^ *1.E-06 .*[0-9]'
