@@ -30,17 +30,21 @@ grep -q '^libgfortran' "$work/libraries" || fail "no libgfortran among $(tr '\n'
 ! grep -q gsl "$work/libraries" || fail 'GSL is in the wheel'
 echo "$(basename "$wheel"), each library once: $(tr '\n' ' ' <"$work/libraries")"
 
-tried=0
+versions=
 for version in 3.9 3.13 3.11 3.14 3.12 3.10; do
-   [ "$tried" -lt 3 ] || break
-   python=$(command -v "python$version" || ls "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python 2>/dev/null || true)
-   python=$(echo "$python" | head -n 1)
-   "$python" -c 'import ensurepip, venv' 2>/dev/null || continue
-   "$python" -m venv "$work/$version"
-   "$work/$version/bin/pip" install --quiet "$wheel" pytest hypothesis scipy
-   echo "Python $version:"
-   "$work/$version/bin/python" -m pytest --quiet -p no:cacheprovider || fail "Python $version"
-   tried=$((tried + 1))
+   [ "$(echo "$versions" | wc -w)" -lt 3 ] || break
+   for python in "$(command -v "python$version")" "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python; do
+      "$python" -c 'import ensurepip, venv' 2>/dev/null && break
+      python=
+   done
+   [ -n "$python" ] || continue
+   versions="$versions $version"
+   { "$python" -m venv "$work/$version" && "$work/$version/bin/pip" install --quiet "$wheel" pytest hypothesis scipy &&
+      "$work/$version/bin/python" -m pytest --quiet -p no:cacheprovider && : >"$work/$version.passed"; } >"$work/$version.log" 2>&1 &
 done
-echo "$tried versions of Python tried"
-[ "$tried" -gt 0 ]
+wait
+for version in $versions; do
+   echo "Python $version: $(tail -n 1 "$work/$version.log")"
+   [ -e "$work/$version.passed" ] || { cat "$work/$version.log"; fail "Python $version"; }
+done
+[ -n "$versions" ] || fail 'no Python found'
