@@ -36,6 +36,7 @@ module kyvadlo_simulate
    !> What the samples of a scene are computed with, block by block.
    type :: work_type
       type(derivative_samples_type) :: derivatives
+      logical :: is_checked = .false.      !! An integration runs beside one at a tenth of the tolerance
 #ifdef KYVADLO_WITH_GSL
       type(integrated_type) :: integrated
 #endif
@@ -63,7 +64,8 @@ contains
       if (present(check)) check = check_type()
       call new_block(simulation, is_one_orbit(path), block)
       call sink%begin(columns_of(simulation))
-      call begin_work(work, simulation, path, block, present(check), error)
+      work%is_checked = present(check)
+      call begin_work(work, simulation, path, block, error)
       allocate (cells(merge(block_samples, 0, path%figures > 0), merge(block%visible, 0, path%figures > 0)))
       noted = 0
       goes_on = .not. allocated(error)
@@ -99,8 +101,8 @@ contains
       end do
 #ifdef KYVADLO_WITH_GSL
       if (present(check) .and. path%path == path_integrated) check = work%integrated%check
-#endif
       call end_work(work, simulation, path, error)
+#endif
    end subroutine simulate
 
    !> Position and velocity of a scene at any times, as its samples show them, and their derivatives with respect to
@@ -135,7 +137,7 @@ contains
       call choose_path(wanted, path, error, accuracy, most_steps)
       if (allocated(error)) return
       call new_block(wanted, is_one_orbit(path), block)
-      call begin_work(work, wanted, path, block, .false., error)
+      call begin_work(work, wanted, path, block, error)
       first = 0
       do while (first < size(times) .and. .not. allocated(error))
          block%count = min(block_samples, size(times) - first)
@@ -148,7 +150,9 @@ contains
          end do
          first = first + block%count
       end do
+#ifdef KYVADLO_WITH_GSL
       call end_work(work, wanted, path, error)
+#endif
    end subroutine states_with_derivatives
 
    !> Whether the constants of one orbit are those of the motion.
@@ -158,12 +162,11 @@ contains
       is_one_orbit = path%path == path_closed_form .or. path%path == path_constant
    end function is_one_orbit
 
-   subroutine begin_work(work, simulation, path, block, is_checked, error)
+   subroutine begin_work(work, simulation, path, block, error)
       type(work_type), intent(inout) :: work
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(block_type), intent(in) :: block
-      logical, intent(in) :: is_checked                       !! An integration beside one at a tenth of the tolerance
       type(error_type), allocatable, intent(out) :: error
 
       if (block%column(quantity_derivatives) > 0) then
@@ -182,9 +185,9 @@ contains
 #ifdef KYVADLO_WITH_GSL
       if (path%path /= path_integrated .or. allocated(error)) return
       if (block%column(quantity_derivatives) > 0) then
-         call begin_integration(work%integrated, path, block, is_checked, error, work%derivatives%changes%change)
+         call begin_integration(work%integrated, path, block, work%is_checked, error, work%derivatives%changes%change)
       else
-         call begin_integration(work%integrated, path, block, is_checked, error)
+         call begin_integration(work%integrated, path, block, work%is_checked, error)
       end if
 #endif
    end subroutine begin_work
@@ -234,6 +237,7 @@ contains
       call fill_speed(block)
    end subroutine fill_block
 
+#ifdef KYVADLO_WITH_GSL
    !> What of the scene made it fail, and the memory back.
    subroutine end_work(work, simulation, path, error)
       type(work_type), intent(inout) :: work
@@ -241,14 +245,11 @@ contains
       type(path_type), intent(in) :: path
       type(error_type), allocatable, intent(inout) :: error
 
-#ifdef KYVADLO_WITH_GSL
       if (path%path /= path_integrated) return
       if (allocated(error)) call explain_failure(simulation, path, work%integrated, error)
       call end_integration(work%integrated)
-#endif
    end subroutine end_work
 
-#ifdef KYVADLO_WITH_GSL
    !> What of the scene made an integration fail.
    subroutine explain_failure(simulation, path, integrated, error)
       type(simulation_type), intent(in) :: simulation
