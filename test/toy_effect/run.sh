@@ -7,8 +7,8 @@
 set -u
 top=$1
 patch=$top/test/toy_effect/toy_effect.patch
-named=$(sed -n '/^## Adding an effect/,/^## Adding a start/p' "$top/doc/contributing.md" | grep -o '`src/[a-z_/.A-Z0-9]*`' |
-   tr -d '`' | LC_ALL=C sort -u)
+named=$(sed -n '/^## Adding an effect/,/^## Adding a start/p' "$top/doc/contributing.md" | tr '\140' '\n' |   # \140: a backquote
+   grep '^src/[a-zA-Z0-9_/.]*$' | LC_ALL=C sort -u)
 touched=$(sed -n 's|^+++ b/||p' "$patch" | LC_ALL=C sort)
 [ "$named" = "$touched" ] || {
    printf 'doc/contributing.md names\n%s\nthe patch touches\n%s\n' "$named" "$touched"
