@@ -1,7 +1,7 @@
 # What is installed is what was built, whichever command built it: where a file is missing (as behind
 # `cmake --build build/release --target kyvadlo_driver`) it is built before the first one is installed.
 set(files "")
-foreach(target kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo kyvadlo_slatec kyvadlo_driver)
+foreach(target kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo kyvadlo_slatec kyvadlo_driver kyvadlo_data)
   list(APPEND files "\"$<$<TARGET_EXISTS:${target}>:$<TARGET_FILE:$<TARGET_NAME_IF_EXISTS:${target}>>>\"")
 endforeach()
 if(NOT CMAKE_CROSSCOMPILING)
