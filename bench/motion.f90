@@ -5,6 +5,7 @@ module kyvadlo_bench_motion
 !$ use omp_lib, only: omp_get_max_threads
    use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_batch_dispatch, only: vector_level
+   use kyvadlo_bench_derivatives, only: print_derivatives
    use kyvadlo_bench_floor_baseline, only: floor_baseline => floor_loop
    use kyvadlo_bench_floor_v3, only: floor_v3 => floor_loop
    use kyvadlo_bench_floor_v4, only: floor_v4 => floor_loop
@@ -60,6 +61,9 @@ contains
       end do
       call print_single(unit, t)
       call compare_with_peers(unit, bench, passes)
+      do level = 0, vector_level()
+         call print_derivatives(unit, level, t(sine_row), passes)
+      end do
       call print_threads(unit, threads, passes)
       write (unit, '(a,es22.15)') 'Sum of all values computed: ', bench%checksum
    end subroutine bench_motion

@@ -70,6 +70,7 @@ def ulps(actual, expected):
 
 def test_every_file_is_read_here():
     apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers", "derivatives_release",   # below
+             "derivatives_energy", "periods_energy",   # no start of the package is differentiated along them
              "grid_points"}   # decimals of a grid of the command line: no function of the package
     assert {path.stem for path in FOLDER.glob("*.dat")} == {*FUNCTIONS, *MOTION, *STATES, *apart}
 

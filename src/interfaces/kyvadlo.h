@@ -193,6 +193,13 @@ int kyvadlo_derivatives_from_gaps(double length, double gravity, double upper_ga
 int kyvadlo_derivatives_from_rises(double length, double gravity, double upper_rise, double lower_rise,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
+/* The same from energy c1 and momentum c2, and, t counted from the release, from an angle [degrees] and a speed. */
+int kyvadlo_derivatives_from_energy(double length, double gravity, double energy, double momentum,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+int kyvadlo_derivatives_from_release(double length, double gravity, double angle, double speed,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
 
 /* Lets kyvadlo_locate_many compute the positions of an orbit in single precision or with fewer terms, whichever keeps
    the accuracy at the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the

@@ -62,6 +62,11 @@ static void try_derivatives(void)
     && isnan(five[0]) && isnan(periods[0]) && strlen(message) > 20, "derivatives of no orbit");
   check(kyvadlo_derivatives_from_rises(2, 8, 0.5, 0, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
     && isnan(five[3]) && !isnan(five[2]), "a column without a derivative");
+  /* A small swing in a plane: x = l angle cos(w t), T = pi/w. */
+  check(kyvadlo_derivatives_from_release(2, 8, 1e-6, 0, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
+    && near(five[2], acos(-1.0)/90*cos(1.4), 1e-12) && near(periods[0], acos(-1.0)/8, 1e-9), "derivatives from a release");
+  check(kyvadlo_derivatives_from_energy(2, 8, -15, 0.3, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
+    && near(five[4], states[3], 1e-12) && !isnan(five[2]) && !isnan(five[3]), "derivatives from energy and momentum");
 }
 
 /* Every function of arrays against the function of one value, bit for bit, NaN and infinity among the arguments. */
