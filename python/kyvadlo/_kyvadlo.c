@@ -453,8 +453,10 @@ static PyObject *evaluate(PyObject *module, PyObject *args)
 /* derivatives(maker, length, gravity, a, b, times, (states, matrices, periods)): fills the three arrays. */
 static PyObject *derivatives(PyObject *module, PyObject *args)
 {
-   static int (*const from_numbers[])(double, double, double, double, size_t, const double *, double *, double *, double *,
-      char *, size_t) = {kyvadlo_derivatives_from_heights, kyvadlo_derivatives_from_gaps, kyvadlo_derivatives_from_rises};
+   /* In the order of `makers`; none from an energy above a pole. */
+   static int (*const from_numbers[MAKERS])(double, double, double, double, size_t, const double *, double *, double *, double *,
+      char *, size_t) = {kyvadlo_derivatives_from_heights, kyvadlo_derivatives_from_gaps, kyvadlo_derivatives_from_rises,
+      kyvadlo_derivatives_from_energy, NULL, NULL, kyvadlo_derivatives_from_release};
    char message[LENGTH_OF_MESSAGE];
    const char *name;
    PyObject *times, *more, *states, *matrices, *periods;
@@ -465,8 +467,8 @@ static PyObject *derivatives(PyObject *module, PyObject *args)
    (void)module;
    maker = read_start(args, &name, &length, &gravity, a, b, &times, &more);
    if (maker < 0) return NULL;
-   if (times == NULL || more == NULL || (maker > 2 && maker < MAKERS)) {
-      PyErr_SetString(PyExc_TypeError, "derivatives of a state, of heights, gaps or rises at times into three arrays");
+   if (times == NULL || more == NULL || (maker < MAKERS && from_numbers[maker] == NULL)) {
+      PyErr_SetString(PyExc_TypeError, "derivatives(maker, length, gravity, a, b, times, arrays)");
       return NULL;
    }
    columns = maker == MAKERS ? 9 : 5;

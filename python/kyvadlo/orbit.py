@@ -305,8 +305,8 @@ class Orbit:
     def derivatives(self, t: ArrayLike) -> Derivatives:
         """States at the times t and their exact derivatives.
 
-        They are taken along the numbers that made the orbit, where these are a state, heights, gaps or rises; along the state
-        at t = 0 where they are an energy or a release. NaN stands where there is no derivative.
+        They are taken along the numbers that made the orbit; of an energy counted from a pole, along the state at t = 0.
+        NaN stands where there is no derivative.
 
         Examples
         --------
@@ -319,7 +319,7 @@ class Orbit:
         """
         times = np.asarray(t, dtype=np.float64, order="C")
         maker, (a, b) = self._maker, self._given
-        if maker in ("heights", "gaps", "rises"):
+        if maker in ("heights", "gaps", "rises", "energy", "release"):
             columns: tuple[str, ...] = ("length", "gravity", *_ARGUMENTS[maker], "t")
         else:
             columns = ("x", "y", "z", "vx", "vy", "vz", "length", "gravity", "t")

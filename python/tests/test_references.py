@@ -26,11 +26,13 @@ FUNCTIONS = {   # the functions of a file's results, in order
     "theta": ["theta", "theta_derivative"],
 }
 MAKERS = {"heights": kyvadlo.Orbit.from_heights, "gaps": kyvadlo.Orbit.from_gaps, "rises": kyvadlo.Orbit.from_rises,
-          "energy": kyvadlo.Orbit.from_energy, "top": lambda *x: kyvadlo.Orbit.from_energy(*x, above="top"),
+          "energy": kyvadlo.Orbit.from_energy, "release": kyvadlo.Orbit.from_release,
+          "top": lambda *x: kyvadlo.Orbit.from_energy(*x, above="top"),
           "bottom": lambda *x: kyvadlo.Orbit.from_energy(*x, above="bottom")}
 MOTION = [f"{what}_{start}" for what in ("orbit", "azimuth", "position", "derivatives", "periods")
           for start in ("heights", "gaps", "rises")]
-MOTION += ["turning_energy", "turning_top", "turning_bottom", "state", "passage_height", "passage_azimuth"]
+MOTION += ["turning_energy", "turning_top", "turning_bottom", "state", "passage_height", "passage_azimuth",
+           "derivatives_energy", "derivatives_release", "periods_energy"]
 STATES = sorted(path.stem for path in FOLDER.glob("derivatives_state_*.dat"))
 
 
@@ -69,8 +71,7 @@ def ulps(actual, expected):
 
 
 def test_every_file_is_read_here():
-    apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers", "derivatives_release",   # below
-             "derivatives_energy", "periods_energy",   # no start of the package is differentiated along them
+    apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers",   # below
              "grid_points"}   # decimals of a grid of the command line: no function of the package
     assert {path.stem for path in FOLDER.glob("*.dat")} == {*FUNCTIONS, *MOTION, *STATES, *apart}
 
@@ -249,7 +250,7 @@ def test_derivatives_from_states(name):
         assert share(matrix, np.reshape([float(word) for word in expected], (6, 9)), change, units) <= 1, (label, x)
 
 
-@pytest.mark.parametrize("start", ["heights", "gaps", "rises"])
+@pytest.mark.parametrize("start", ["heights", "gaps", "rises", "energy", "release"])
 def test_derivatives_from_turning_heights(start):
     compared = total = 0
     for label, bits, x, expected, condition in rows(f"derivatives_{start}"):
@@ -262,19 +263,7 @@ def test_derivatives_from_turning_heights(start):
     assert compared >= 0.8*total
 
 
-def test_derivatives_from_releases():
-    """Along the state at t = 0, (l sin(angle), 0, -l cos(angle)) and (0, speed, 0), from there by the chain rule."""
-    for label, bits, x, expected, condition in rows("derivatives_release"):
-        def matrix_of(x):
-            x_, y, z, vx, vy, vz, length, gravity, t = kyvadlo.Orbit.from_release(*x[:4]).derivatives(x[4]).matrices.T
-            sine, cosine = np.sin(np.radians(x[2])), np.cos(np.radians(x[2]))
-            along_angle = x[0]*(x_*cosine + z*sine)*np.pi/180
-            return np.stack([length + x_*sine - z*cosine, gravity, along_angle, vy, t], axis=1)
-        matrix, change = changes(matrix_of, x, 5)
-        assert share(matrix, np.reshape([float(word) for word in expected], (6, 5)), change, 128) <= 1, (label, x)
-
-
-@pytest.mark.parametrize("start", ["heights", "gaps", "rises"])
+@pytest.mark.parametrize("start", ["heights", "gaps", "rises", "energy"])
 def test_derivatives_of_periods(start):
     for label, bits, x, expected, condition in rows(f"periods_{start}"):
         def of_period(x):
