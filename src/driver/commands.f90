@@ -33,6 +33,7 @@ module kyvadlo_commands
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
       command_type('simulate', 'SCENE', 'the samples of a scene: positions, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
+      command_type('sweep', 'PLAN [PART]...', 'quantities over grids and clouds of scenes, on all cores and machines'), &
       command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit'), &
       command_type('help', '[TOPIC]', 'what a scene may say: its form, effects and output; help of a command'), &
       command_type('examples', '[NAME [FILE]]', 'the names of the example scenes; with NAME copies one into FILE')]
@@ -77,6 +78,15 @@ module kyvadlo_commands
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--modulus', '', 'arguments m and mc are given as their roots, the moduli k and k'''), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
+      option_type('sweep', '--output', 'FILE', &
+         'write FILE, NetCDF if it ends in .nc, else CSV (default: CSV on standard output)'), &
+      option_type('sweep', '--resume', '', 'go on with FILE.nc; start it where it is not there'), &
+      option_type('sweep', '--force', '', 'replace FILE if it is there'), &
+      option_type('sweep', '--part', 'I/N', 'compute part I of N of the chunks only'), &
+      option_type('sweep', '--merge', '', 'make FILE.nc of the files of the parts, which are named behind PLAN'), &
+      option_type('sweep', '--threads', 'N', &
+         'of every rank (default all there are, under mpirun 1; 0: all there are)'), &
+      option_type('sweep', '--explain', '', 'first say how many points there are and what they cost'), &
       option_type('study', '--quick', '', 'fewer settings, shorter measurements: under 20 seconds'), &
       option_type('study', '--output', 'DIR', 'write study.csv, scripts of gnuplot and pictures into DIR'), &
       option_type('study', '--pendulum', 'NAME', 'only the pendulum of this name or number, of each scene'), &
@@ -103,6 +113,10 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
+      example_type('sweep', 'kyvadlo sweep examples/sweeps/periods.nml --output periods.nc', &
+         'periods and advances over a grid of orbits'), &
+      example_type('sweep', 'mpirun -n 16 kyvadlo sweep PLAN --output FILE.nc --resume', &
+         'the same bytes, by 16 processes; what is done is kept'), &
       example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
       example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
       example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &
@@ -124,6 +138,12 @@ module kyvadlo_commands
          'and at most one group for each effect (doc/scene_format.md); - is standard input. Numbers'), &
       explanation_type('simulate', &
          'are in SI units, in the shortest form that reads back exactly, under a line of names.'), &
+      explanation_type('sweep', &
+         'PLAN is a scene with &axis groups (name, from, to, count ...), one &measure (quantities) and'), &
+      explanation_type('sweep', &
+         'perhaps &histogram groups (doc/sweeps.md). The file depends on the plan alone: by any number'), &
+      explanation_type('sweep', &
+         'of ranks and threads, interrupted or not, it has the same bytes.'), &
       explanation_type('eval', &
          'Answers are separated by a blank, in the shortest form that reads back exactly. Without'), &
       explanation_type('eval', &

@@ -9,6 +9,7 @@ program kyvadlo_main
    use kyvadlo_standard_io, only: close_output, end_program, message, open_output, output_type, prepare_program
    use kyvadlo_status, only: error_type
    use kyvadlo_study_command, only: study_command
+   use kyvadlo_sweep_command, only: sweep_command
    use kyvadlo_table_command, only: table_command
    use kyvadlo_version, only: compiler, compiler_flags, licence, version
    implicit none
@@ -57,6 +58,8 @@ contains
                call help_command(arguments, error)
             case ('examples')
                call examples_command(arguments, error)
+            case ('sweep')
+               call sweep_command(arguments, status, error)
             case ('study')
                call study_command(arguments, error)
             case default

@@ -23,7 +23,7 @@ numeric kyvadlo_integrator motion by integration
 scene kyvadlo_simulate the samples of a scene
 driver kyvadlo_main the program
 END
-folders='arithmetic elliptic pendulum . interfaces numeric scene study driver'
+folders='arithmetic elliptic pendulum . interfaces numeric scene study sweep driver'
 
 find src -name '*.f90' -o -name '*.F90' | grep -v '/unit_' | LC_ALL=C sort >"$scratch/sources"
 awk -v folders="$folders" '

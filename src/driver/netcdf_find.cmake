@@ -1,0 +1,21 @@
+# `simulate` writes NetCDF where NetCDF-Fortran is found. Its module file may lie in /usr/include, where gfortran does not look,
+# and CMake drops that folder as one the compiler knows: hence the plain option.
+if(KYVADLO_WITH_NETCDF)
+  find_package(PkgConfig)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(NETCDF_FORTRAN IMPORTED_TARGET GLOBAL netcdf-fortran)
+    if(NETCDF_FORTRAN_FOUND)
+      pkg_get_variable(netcdf_include netcdf-fortran includedir)
+      set(KYVADLO_NETCDF_INCLUDE ${netcdf_include} CACHE INTERNAL "Folder of netcdf.mod")
+    endif()
+  endif()
+  # A module file of another compiler is of no use.
+  if(NETCDF_FORTRAN_FOUND)
+    include(CheckFortranSourceCompiles)
+    set(CMAKE_REQUIRED_FLAGS -I${netcdf_include})
+    set(CMAKE_REQUIRED_LIBRARIES PkgConfig::NETCDF_FORTRAN)
+    check_fortran_source_compiles("use netcdf\nprint *, nf90_inq_libvers()\nend" KYVADLO_NETCDF_WORKS SRC_EXT f90)
+    unset(CMAKE_REQUIRED_FLAGS)
+    unset(CMAKE_REQUIRED_LIBRARIES)
+  endif()
+endif()

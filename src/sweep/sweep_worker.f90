@@ -1,0 +1,65 @@
+!> What one thread of a sweep computes with.
+module kyvadlo_sweep_worker
+   use, intrinsic :: iso_fortran_env, only: int8, int64
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_namelist_file, only: group_type
+   use kyvadlo_sweep_axes, only: axis_values
+   use kyvadlo_sweep_plan, only: plan_type
+   use kyvadlo_sweep_reductions, only: bins_type, block_points, chunk_type, new_bins
+   implicit none
+   private
+   public :: worker_type, new_worker, compute_interface
+
+   type :: column_type
+      real(wp), allocatable :: values(:)
+   end type column_type
+
+   type :: worker_type
+      type(bins_type), allocatable :: bins(:)
+      type(group_type), allocatable :: groups(:)        !! Of the scene, with the values of a point
+      type(column_type), allocatable :: axes(:)         !! All values of the axes that are not too long
+      real(wp), allocatable :: coordinates(:, :)        !! (point, axis)
+      real(wp), allocatable :: values(:, :)             !! (component, point)
+      integer(int8), allocatable :: status(:)
+   end type worker_type
+
+   !> Values of an axis that are kept.
+   integer(int64), parameter :: most_kept = 65536
+
+   abstract interface
+      !> Everything of one chunk: `compute_chunk` of kyvadlo_sweep_points.
+      subroutine compute_interface(plan, worker, chunk, found)
+         import :: plan_type, worker_type, chunk_type, int64
+         type(plan_type), intent(in) :: plan
+         type(worker_type), intent(inout) :: worker
+         integer(int64), intent(in) :: chunk
+         type(chunk_type), intent(inout) :: found
+      end subroutine compute_interface
+   end interface
+
+contains
+
+   subroutine new_worker(plan, worker)
+      type(plan_type), intent(in) :: plan
+      type(worker_type), intent(out) :: worker
+      integer :: i
+
+      worker%groups = plan%groups
+      allocate (worker%bins(size(plan%histograms)))
+      do i = 1, size(plan%histograms)
+         associate (histogram => plan%histograms(i))
+            worker%bins(i) = new_bins(histogram%from, histogram%to, histogram%bins, histogram%is_log)
+         end associate
+      end do
+      allocate (worker%axes(size(plan%axes)))
+      do i = 1, size(plan%axes)
+         if (plan%axes(i)%count > most_kept) cycle
+         allocate (worker%axes(i)%values(plan%axes(i)%count))
+         call axis_values(plan%axes(i), 0_int64, worker%axes(i)%values)
+      end do
+      allocate (worker%coordinates(block_points, size(plan%axes)))
+      allocate (worker%values(sum(plan%measures%components), block_points))
+      allocate (worker%status(block_points))
+   end subroutine new_worker
+
+end module kyvadlo_sweep_worker

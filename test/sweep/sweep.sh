@@ -1,0 +1,159 @@
+# `kyvadlo sweep`: the interface, the same bytes whoever computes, and whatever ends a run early. $3: mpirun, or empty.
+. "$2/test/driver/expect.sh"
+mpirun=${3-}
+plans=$top/examples/sweeps
+with_netcdf=yes
+"$program" sweep "$plans/periods.nml" --output probe.nc 2>err || with_netcdf=
+ranks() { count=$1; shift; "$mpirun" --oversubscribe --allow-run-as-root -n "$count" "$program" sweep "$@"; }
+same() {
+   checks=$((checks + 1))
+   cmp -s "$1" "$2" || complain "$2 must have the bytes of $1"
+}
+
+# Values are those of eval, and masked is what eval refuses.
+run sweep "$plans/periods.nml"
+expect_status 0
+tail -n +2 out | awk -F, 'NR % 7 == 1' >some
+while IFS=, read -r upper lower period modulus advance status; do
+   answer=$("$program" eval orbit 1 9.80665 "$upper" "$lower" 2>/dev/null)
+   if [ -z "$answer" ]; then expected=,,,inadmissible; else
+      expected=$(echo "$answer" | awk '{ print $1 "," $2 "," $8 ",computed" }'); fi
+   checks=$((checks + 1))
+   [ "$period,$modulus,$advance,$status" = "$expected" ] ||
+      complain "at $upper $lower expected $expected, got $period,$modulus,$advance,$status"
+done <some
+
+# What is refused.
+plan() { printf '%s\n' "&pendulum length=1, z_upper=0.3, z_lower=-0.8 /" "$@" >plan.nml; }
+plan '&measure quantities="T" /'
+fails 2 'a sweep needs from 1 to 64 &axis groups' sweep plan.nml
+plan '&axis name="lenth", values=1 /' '&measure quantities="T" /'
+fails 2 "plan.nml:2: &axis: 'lenth' is no setting of a scene" sweep plan.nml
+plan '&axis name="length", from=1, to=2 /' '&measure quantities="T" /'
+fails 2 'plan.nml:2: &axis: count is missing' sweep plan.nml
+plan '&axis name="length", values=1 /' '&measure quantities="Q" /'
+fails 2 "quantities: unknown word 'Q'" sweep plan.nml
+plan '&axis name="length", values=1 /' '&axis name="length", values=2 /' '&measure quantities="T" /'
+fails 2 'plan.nml:3: &axis: a second axis of length' sweep plan.nml
+plan '&axis name="latitude", values=1 /' '&measure quantities="T" /'
+fails 2 '&earth_rotation: the quantities of an orbit' sweep plan.nml
+plan '&axis name="length", values=1 /' '&measure quantities="T" /' '&histogram quantity="T", from=0, to=1, count=3 /'
+fails 2 'a plan with &histogram needs --output FILE.nc' sweep plan.nml
+fails 2 'sweep needs one plan' sweep
+fails 2 'options --resume, --part and --merge need --output FILE.nc' sweep plan.nml --resume
+
+# Axes together run side by side; others multiply, the last the fastest.
+plan '&axis name="length", values=1,2, together="a" /' '&axis name="gravity", values=9,10 /' \
+   '&axis name="z_upper", values=0.1,0.2, together="a" /' '&measure quantities="heights" /'
+run sweep plan.nml
+expect_out 'length,gravity,z_upper,heights_1,heights_2,status
+1e+00,9e+00,1e-01,1e-01,-8e-01,computed
+1e+00,1e+01,1e-01,1e-01,-8e-01,computed
+2e+00,9e+00,2e-01,2e-01,-8e-01,computed
+2e+00,1e+01,2e-01,2e-01,-8e-01,computed'
+
+[ -n "$with_netcdf" ] || { echo 'no NetCDF in this build: no file tested'; finish; exit; }
+fails 2 'probe.nc is there already' sweep "$plans/periods.nml" --output probe.nc
+cp probe.nc before.nc
+run sweep "$plans/periods.nml" --output probe.nc --resume
+expect_status 0
+same before.nc probe.nc
+fails 2 'of another plan' sweep "$plans/thrown.nml" --output probe.nc --resume
+same before.nc probe.nc
+: >empty.nc
+run sweep "$plans/periods.nml" --output empty.nc --resume
+expect_status 0
+same before.nc empty.nc
+head -c 500 probe.nc >cut.nc
+run sweep "$plans/periods.nml" --output cut.nc --resume
+expect_status 0
+same before.nc cut.nc
+echo precious >other.nc
+fails 2 'other.nc is no file of kyvadlo sweep' sweep "$plans/periods.nml" --output other.nc --resume
+
+# Threads, parts, ranks. Enough points for a hundred chunks, values and reductions in one.
+cat >plan.nml <<'END'
+&pendulum length = 1 /
+&axis name = 'z_upper', from = -0.5, to = 1, count = 300 /
+&axis name = 'z_lower', from = -1, to = -0.3, count = 300 /
+&measure quantities = 'T advance turning' /
+&histogram quantity = 'T', from = 0.9, to = 2, count = 20 /
+END
+run sweep plan.nml --output one.nc --threads 1
+expect_status 0
+run sweep plan.nml --output three.nc --threads 3
+same one.nc three.nc
+for part in 1 2 3; do run sweep plan.nml --output "part$part.nc" --part "$part/3"; expect_status 0; done
+run sweep plan.nml --merge part3.nc part1.nc part2.nc --output merged.nc
+expect_status 0
+same one.nc merged.nc
+fails 2 'the parts lack' sweep plan.nml --merge part3.nc part1.nc --output short.nc
+run sweep plan.nml --output part2.nc --resume
+same one.nc part2.nc
+if [ -n "$mpirun" ]; then
+   for n in 1 2 4; do
+      command_line="mpirun -n $n kyvadlo sweep"
+      ranks "$n" plan.nml --output "ranks$n.nc" >out 2>err
+      same one.nc "ranks$n.nc"
+   done
+fi
+
+# Ended early at twenty moments by one signal or another, and gone on with by other numbers of ranks.
+sed 's/count = 300/count = 800/' plan.nml >wide.nml
+run sweep wide.nml --output wide.nc
+expect_status 0
+kills=0
+unfinished=0
+rm -f killed.nc
+while [ "$kills" -lt 20 ]; do
+   kills=$((kills + 1))
+   if [ -n "$mpirun" ]; then
+      ranks $((kills % 3 + 1)) wide.nml --output killed.nc --resume >out 2>err &
+   else
+      "$program" sweep wide.nml --output killed.nc --threads $((kills % 3 + 1)) --resume >out 2>err &
+   fi
+   pid=$!
+   sleep "0.$((kills * 37 % 80 + 10))"
+   signal=$([ $((kills % 2)) -eq 0 ] && echo TERM || echo KILL)
+   # The ranks of this run, each by its number.
+   for process in $(ps -e -o pid= -o args= | awk '/killed\.nc/ && !/awk/ && !/mpirun/ { print $1 }'); do
+      kill -"$signal" "$process" 2>/dev/null
+      [ "$signal" = KILL ] || break
+   done
+   wait "$pid" 2>/dev/null
+   if cmp -s wide.nc killed.nc; then rm -f killed.nc; else unfinished=$((unfinished + 1)); fi
+done
+run sweep wide.nml --output killed.nc --resume
+expect_status 0
+same wide.nc killed.nc
+checks=$((checks + 1))
+[ "$unfinished" -gt 0 ] || complain 'no run was ended early'
+
+# A second run on the file of a first; a disk without room.
+cat >long.nml <<'END'
+&pendulum length = 1 /
+&axis name = 'z_upper', from = -0.5, to = 1, count = 3000 /
+&axis name = 'z_lower', from = -1, to = -0.3, count = 3000 /
+&measure quantities = 'T' /
+END
+"$program" sweep long.nml --output long.nc 2>/dev/null &
+pid=$!
+i=0
+while [ ! -f long.nc ] && [ "$i" -lt 100 ]; do i=$((i + 1)); sleep 0.1; done
+fails 2 'another run of kyvadlo sweep writes it' sweep long.nml --output long.nc --resume
+kill -TERM "$pid"
+wait "$pid" 2>/dev/null
+# MPI itself does not start under a small ulimit -f: a disk of its own, where one may mount it.
+mkdir small
+if mount -t tmpfs -o size=64k none small 2>/dev/null; then
+   run sweep plan.nml --output small/full.nc
+   expect_status 2
+   checks=$((checks + 1))
+   grep -q 'cannot write small/full.nc' err || complain 'the full disk must be told'
+   mount -o remount,size=64m small
+   run sweep plan.nml --output small/full.nc --resume
+   expect_status 0
+   same one.nc small/full.nc
+   umount small
+fi
+finish
