@@ -33,7 +33,8 @@ module kyvadlo_commands
       command_type('table', '[SCENE]...', 'the motion of pendulums in tables: constants, quarter periods, speeds'), &
       command_type('simulate', 'SCENE', 'the samples of a scene: positions, velocities, energy, tension over time'), &
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
-      command_type('sweep', 'PLAN [PART]...', 'quantities over grids and clouds of scenes, on all cores and machines'), &
+      command_type('sweep', 'PLAN [PART]...', &
+      'quantities over grids and clouds of scenes, by all cores and machines'), &
       command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit'), &
       command_type('help', '[TOPIC]', 'what a scene may say: its form, effects and output; help of a command'), &
       command_type('examples', '[NAME [FILE]]', 'the names of the example scenes; with NAME copies one into FILE')]

@@ -1,22 +1,21 @@
 !> The command `sweep`: the grid of a plan, computed by all ranks and threads there are, into one file.
 module kyvadlo_sweep_command
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
-   use, intrinsic :: iso_fortran_env, only: int64
+   use, intrinsic :: iso_fortran_env, only: int8, int64
    use kyvadlo_command_line, only: arguments_type, integer_option, option_given, option_value
    use kyvadlo_file_text, only: fail_of_system, file_name, read_file
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_number_text, only: digits_text, shortest_text
-   use kyvadlo_numbers, only: is_nan
+   use kyvadlo_number_text, only: digits_text
    use kyvadlo_ranks
-   use kyvadlo_standard_io, only: close_output, is_terminal, message, open_output, output_type
+   use kyvadlo_standard_io, only: is_terminal, message
    use kyvadlo_status, only: code_file, code_input, code_unsupported, error_type, fail
 #ifdef KYVADLO_SWEEP_NETCDF
    use kyvadlo_sweep_layout
 #endif
-   use kyvadlo_sweep_axes, only: axis_values
    use kyvadlo_sweep_plan, only: plan_type, read_plan
    use kyvadlo_sweep_points, only: compute_chunk
-   use kyvadlo_sweep_reductions, only: chunk_type, reduction_size, status_words
+   use kyvadlo_sweep_reductions, only: chunk_type, reduction_size
+   use kyvadlo_sweep_csv, only: gather_cells, write_csv
    use kyvadlo_sweep_run, only: cells_type, run_chunks
 #ifndef KYVADLO_SWEEP_NETCDF
    use kyvadlo_sweep_run, only: sweep_file_type
@@ -30,6 +29,12 @@ module kyvadlo_sweep_command
 
    !> A table larger than this is for NetCDF.
    integer(int64), parameter :: most_cells = 10000000
+
+#ifdef KYVADLO_SWEEP_NETCDF
+   logical, parameter :: with_files = .true.
+#else
+   logical, parameter :: with_files = .false.
+#endif
 
    type :: request_type
       character(len=:), allocatable :: output        !! Empty: standard output
@@ -119,7 +124,7 @@ contains
          allocate (cells%bits(sum(plan%measures%components) + 1, plan%points), source=0_int64)
          call run_chunks(plan, compute_chunk, ranks, request%threads, request%first, request%last, .false., &
             shows .and. .not. is_seen, file, cells, error)
-         call gather_bits_of(ranks, cells)
+         call gather_cells(ranks, cells)
          if (ranks%rank == 0 .and. .not. allocated(error)) call write_csv(plan, request%output, cells, error)
          return
       end if
@@ -134,8 +139,8 @@ contains
          if (request%is_merge) then
             if (ranks%rank == 0) call merge_parts(arguments, plan, worker, file, error)
          else
-            call run_chunks(plan, compute_chunk, ranks, request%threads, request%first, request%last, request%is_resumed, &
-               shows, file, cells, error)
+            call run_chunks(plan, compute_chunk, ranks, request%threads, request%first, request%last, &
+               request%is_resumed, shows, file, cells, error)
          end if
       end if
       call end_run(plan, worker, request, ranks, file, error)
@@ -183,11 +188,9 @@ contains
          call fail(error, code_input, 'options --force and --resume exclude each other')
       else if (request%is_merge .and. (request%is_resumed .or. option_given(arguments, '--part'))) then
          call fail(error, code_input, 'option --merge: without --part and --resume')
-#ifndef KYVADLO_SWEEP_NETCDF
-      else if (request%is_netcdf) then
+      else if (request%is_netcdf .and. .not. with_files) then
          call fail(error, code_unsupported, 'cannot write '//request%output//': this build has no NetCDF ' &
             //'(libpnetcdf-dev beside MPI, else libnetcdff-dev: CMake finds it at configure time)')
-#endif
       end if
       if (allocated(error)) return
       request%threads = 1
@@ -296,8 +299,8 @@ contains
       replaces = .false.
       if (kind >= 0) then
          if (.not. (request%is_resumed .or. request%is_forced)) then
-            call fail(error, code_file, request%output//' is there already; go on with it by --resume, or replace it by ' &
-               //'--force')
+            call fail(error, code_file, request%output//' is there already; go on with it by --resume, or ' &
+               //'replace it by --force')
             return
          end if
          status = kyvadlo_hold_file(request%output//c_null_char, old)
@@ -341,7 +344,7 @@ contains
       integer :: unit, status
 
       open (newunit=unit, file=path, status='old', iostat=status)
-      if (status == 0) close (unit, status='delete', iostat=status)
+      if (status == 0) close (unit, status='delete')
    end subroutine remove_file
 
    !> Every chunk that a part has, from all parts.
@@ -355,7 +358,7 @@ contains
       type(chunk_type) :: found
       integer(int64) :: chunk, first
       integer(int64), parameter :: window = 65536
-      integer(1), allocatable :: marks(:)
+      integer(int8), allocatable :: marks(:)
       integer :: i
 
       if (size(arguments%operands) < 2) call fail(error, code_input, &
@@ -411,68 +414,6 @@ contains
       call close_sweep_file(file, error)
    end subroutine end_run
 #endif
-
-   subroutine gather_bits_of(ranks, cells)
-      type(ranks_type), intent(in) :: ranks
-      type(cells_type), intent(inout) :: cells
-      integer :: i
-
-      ! Column by column: no copy of the whole.
-      if (ranks%count == 1) return
-      do i = 1, size(cells%bits, 1)
-         block
-            integer(int64), allocatable :: bits(:)
-            bits = cells%bits(i, :)
-            call gather_bits(ranks, bits)
-            cells%bits(i, :) = bits
-         end block
-      end do
-   end subroutine gather_bits_of
-
-   !> Coordinates, values and status of every point; what is not there is empty.
-   subroutine write_csv(plan, path, cells, error)
-      type(plan_type), intent(in) :: plan
-      character(len=*), intent(in) :: path
-      type(cells_type), intent(in) :: cells
-      type(error_type), allocatable, intent(out) :: error
-      type(output_type) :: output
-      character(len=:), allocatable :: line
-      character(len=8) :: number
-      real(wp) :: value(1)
-      integer(int64) :: point, index
-      integer :: i, j
-
-      call open_output(output, path, error)
-      if (allocated(error)) return
-      line = ''
-      do i = 1, size(plan%axes)
-         line = line//plan%axes(i)%variable//','
-      end do
-      do i = 1, size(plan%measures)
-         do j = 1, plan%measures(i)%components
-            write (number, '("_",i0)') j
-            line = line//plan%measures(i)%name
-            if (plan%measures(i)%components > 1) line = line//trim(number)
-            line = line//','
-         end do
-      end do
-      call output%put(line//'status')
-      do point = 1, plan%points
-         line = ''
-         do i = 1, size(plan%axes)
-            index = (point - 1)/product(plan%dimensions(plan%dimension_of(i) + 1:)%count)
-            call axis_values(plan%axes(i), mod(index, plan%axes(i)%count), value)
-            line = line//shortest_text(value(1))//','
-         end do
-         do i = 1, size(cells%bits, 1) - 1
-            value(1) = transfer(cells%bits(i, point), value(1))
-            if (.not. is_nan(value(1))) line = line//shortest_text(value(1))
-            line = line//','
-         end do
-         call output%put(line//trim(status_words(int(cells%bits(size(cells%bits, 1), point)) + 1)))
-      end do
-      call close_output(output, error)
-   end subroutine write_csv
 
    !> What will be done and what it takes, on standard error: some chunks are tried.
    subroutine explain(plan, request, ranks, worker)

@@ -35,7 +35,8 @@ contains
       call MPI_Info_create(hints)
       call MPI_Info_set(hints, 'nc_header_align_size', '1')
       call MPI_Info_set(hints, 'nc_var_align_size', '1')
-      nc%status = nf90mpi_create(MPI_COMM_SELF%MPI_VAL, path, ior(NF90_CLOBBER, NF90_64BIT_DATA), hints%MPI_VAL, nc%file)
+      nc%status = nf90mpi_create(MPI_COMM_SELF%MPI_VAL, path, ior(NF90_CLOBBER, NF90_64BIT_DATA), hints%MPI_VAL, &
+         nc%file)
       call MPI_Info_free(hints)
       nc%is_open = nc%status == NF90_NOERR
    end subroutine create_netcdf
@@ -158,8 +159,8 @@ contains
       integer(int64), intent(in) :: start(:), count(:) !! The fastest dimension first
       real(wp), intent(inout) :: values(:)           !! Come back as they were: PnetCDF turns their bytes in place
 
-      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_put_var(nc%file, variable, values, int(start, MPI_OFFSET_KIND), &
-         int(count, MPI_OFFSET_KIND)))
+      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_put_var(nc%file, variable, values, &
+         int(start, MPI_OFFSET_KIND), int(count, MPI_OFFSET_KIND)))
    end subroutine write_doubles
 
    subroutine write_bytes(nc, variable, start, count, values)
@@ -168,8 +169,8 @@ contains
       integer(int64), intent(in) :: start(:), count(:)
       integer(int8), intent(inout) :: values(:)
 
-      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_put_var(nc%file, variable, values, int(start, MPI_OFFSET_KIND), &
-         int(count, MPI_OFFSET_KIND)))
+      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_put_var(nc%file, variable, values, &
+         int(start, MPI_OFFSET_KIND), int(count, MPI_OFFSET_KIND)))
    end subroutine write_bytes
 
    subroutine read_doubles(nc, variable, start, count, values)
@@ -179,8 +180,8 @@ contains
       real(wp), intent(out) :: values(:)
 
       values = 0
-      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_get_var(nc%file, variable, values, int(start, MPI_OFFSET_KIND), &
-         int(count, MPI_OFFSET_KIND)))
+      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_get_var(nc%file, variable, values, &
+         int(start, MPI_OFFSET_KIND), int(count, MPI_OFFSET_KIND)))
    end subroutine read_doubles
 
    subroutine read_bytes(nc, variable, start, count, values)
@@ -190,8 +191,8 @@ contains
       integer(int8), intent(out) :: values(:)
 
       values = 0
-      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_get_var(nc%file, variable, values, int(start, MPI_OFFSET_KIND), &
-         int(count, MPI_OFFSET_KIND)))
+      if (nc%status == NF90_NOERR) call keep(nc, nf90mpi_get_var(nc%file, variable, values, &
+         int(start, MPI_OFFSET_KIND), int(count, MPI_OFFSET_KIND)))
    end subroutine read_bytes
 
    !> What was written before stands in the file before what is written after.

@@ -1,5 +1,6 @@
 !> Philox4x32-10, a generator that keeps no state: key and counter in, four words of 32 bits out. J. K. Salmon and
-!> others, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011). Whoever computes number i of a cloud gets the same.
+!> others, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011). Whoever computes number i gets the
+!> same.
 module kyvadlo_philox
    use, intrinsic :: iso_fortran_env, only: int64, real64
    implicit none

@@ -14,8 +14,8 @@ module kyvadlo_sweep_layout
    use kyvadlo_version, only: compiler, compiler_flags, version
    implicit none
    private
-   public :: sweep_file_type, create_sweep_file, open_sweep_file, close_sweep_file, write_chunk, read_marks, copy_chunk, &
-      finish_sweep_file, is_sweep_finished, fill_value
+   public :: sweep_file_type, create_sweep_file, open_sweep_file, close_sweep_file, write_chunk, read_marks, &
+      copy_chunk, finish_sweep_file, is_sweep_finished, fill_value
 
    !> NetCDF's own fill value of doubles.
    real(wp), parameter :: fill_value = 9.9692099683868690e36_wp
@@ -88,9 +88,10 @@ contains
       call put_text(file%nc, file%complete, 'flag_meanings', 'unfinished finished')
       call define_variable(file%nc, 'chunk_reduction', .false., [item, chunk], file%reduction)
       call put_text(file%nc, file%reduction, 'long_name', &
-         'reductions of a chunk: points by status, then count, least, greatest, sum, below, above and bins by histogram')
+         'reductions of a chunk: points by status; count, least, greatest, sum, below, above and bins by histogram')
       call define_variable(file%nc, 'status_points', .false., [kind], file%status_points)
-      call put_text(file%nc, file%status_points, 'long_name', 'points by status: computed, inadmissible, refused, failed')
+      call put_text(file%nc, file%status_points, 'long_name', &
+         'points by status: computed, inadmissible, refused, failed')
       call put_text(file%nc, file%status_points, 'units', '1')
       do i = 1, size(bins)
          associate (name => plan%histograms(i)%name, measure => plan%measures(findloc(plan%measures%histogram, i, 1)))

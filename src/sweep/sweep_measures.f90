@@ -1,4 +1,4 @@
-!> What a sweep measures at every point: the words of `quantities` in &measure, and the histograms that are kept instead.
+!> What a sweep measures at every point: the words of `quantities` in &measure, and the histograms kept instead.
 module kyvadlo_sweep_measures
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_group_values, only: refuse
@@ -11,7 +11,7 @@ module kyvadlo_sweep_measures
    use kyvadlo_text, only: shown, split_words
    implicit none
    private
-   public :: measure_type, histogram_type, watch_type, read_measure, read_histogram
+   public :: measure_type, histogram_type, watch_type, read_measure, read_histogram, is_exact
 
    !> Of the orbit, in closed form.
    integer, parameter, public :: exact_period = 1, exact_modulus = 2, exact_complementary_modulus = 3, &
@@ -81,6 +81,13 @@ module kyvadlo_sweep_measures
    end type histogram_type
 
 contains
+
+   !> Of the orbit; else of samples.
+   pure elemental logical function is_exact(kind)
+      integer, intent(in) :: kind
+
+      is_exact = kind < sampled_least
+   end function is_exact
 
    !> Reads &measure.
    pure subroutine read_measure(group, start, measures, watch, error)
@@ -192,9 +199,10 @@ contains
       end do
       call read_slope(measure, start)
       if (measure%kind > 0) return
-      call refuse(error, group, entry%line, "quantities: unknown word '"//shown(word)//"'; known are "//known_words()// &
-         ', least_, greatest_, first_, last_ before the name of a column of simulate (least_tension), dT_d and ' &
-         //'dadvance_d before length, gravity and the two names of a start by heights, gaps or rises')
+      call refuse(error, group, entry%line, "quantities: unknown word '"//shown(word)//"'; known are "// &
+         trim(known_words())//', least_, greatest_, first_, last_ before a column of simulate ' &
+         //'(least_tension), dT_d and dadvance_d before length, gravity and the two names of a ' &
+         //'start by heights, gaps or rises')
    end subroutine read_word
 
    !> `dT_dlength`, `dadvance_dz_upper`.
@@ -214,7 +222,8 @@ contains
       else
          return
       end if
-      measure%slope = findloc([character(len=19) :: 'length', 'gravity', starts(start)%first, starts(start)%second], of, 1)
+      measure%slope = findloc([character(len=19) :: 'length', 'gravity', starts(start)%first, &
+         starts(start)%second], of, 1)
       if (measure%slope == 0) return
       measure%kind = merge(exact_period_slope, exact_advance_slope, measure%unit == 's')
       measure%meaning = 'derivative of '//merge('T      ', 'advance', measure%unit == 's')

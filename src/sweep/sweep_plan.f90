@@ -25,9 +25,9 @@ module kyvadlo_sweep_plan
    use kyvadlo_version, only: with_gsl
    implicit none
    private
-   public :: plan_type, dimension_type, target_type, read_plan, is_exact
+   public :: plan_type, dimension_type, target_type, read_plan
 
-   !> What the numbers of an orbit are among the columns of coordinates.
+   !> Columns of an orbit's numbers.
    integer, parameter, public :: column_length = 1, column_gravity = 2, column_first = 3, column_second = 6, &
       column_density_ratio = 9, column_added_mass = 10, orbit_columns = 10
 
@@ -66,8 +66,8 @@ module kyvadlo_sweep_plan
       integer :: table_checksum = 0                  !! Of the file of the pivot's displacements; 0: there is none
    end type plan_type
 
-   !> Points of a chunk at most, where values are stored and where only reductions are; a small sweep has chunks for some
-   !> hundred workers all the same.
+   !> Points of a chunk at most, where values are stored and where only reductions are; a small sweep has chunks for
+   !> some hundred workers all the same.
    integer(int64), parameter :: most_stored = 65536, most_reduced = 1048576, least_exact = 1024
    !> Of scenes: one alone in small sweeps, so that no rank waits for another's chunk.
    integer(int64), parameter :: most_scenes = 64, scenes_per_chunk = 8192
@@ -75,8 +75,8 @@ module kyvadlo_sweep_plan
 
 contains
 
-   !> The plan in a text. Errors (`code_input`), with file and line: those of the scene; an axis, a measure or a histogram
-   !> that is not understood.
+   !> The plan in a text. Errors (`code_input`), with file and line: those of the scene; an axis, a measure or a
+   !> histogram that is not understood.
    subroutine read_plan(text, file, folder, plan, error)
       character(len=*), intent(in) :: text
       character(len=*), intent(in) :: file                  !! Name for messages
@@ -133,7 +133,6 @@ contains
       end if
    end subroutine read_plan
 
-   !> The groups of the scene.
    pure function pack_groups(groups) result(scene)
       type(group_type), intent(in) :: groups(:)
       type(group_type), allocatable :: scene(:)
@@ -209,8 +208,8 @@ contains
                if (dimensions(j)%name == name) k = j
             end do
             if (k > 0) then
-               if (axis%together == '' .or. plan%axes(dimensions(k)%axis)%together /= axis%together) call refuse(error, &
-                  groups(i), groups(i)%line, 'the name '//name//' stands for two dimensions')
+               if (axis%together == '' .or. plan%axes(dimensions(k)%axis)%together /= axis%together) &
+                  call refuse(error, groups(i), groups(i)%line, 'the name '//name//' stands for two dimensions')
                if (.not. allocated(error) .and. dimensions(k)%count /= axis%count) call refuse(error, groups(i), &
                   groups(i)%line, "axes together in '"//shown(axis%together)//"' must have one count")
                if (allocated(error)) return
@@ -236,8 +235,9 @@ contains
          do i = 1, size(members)
             associate (row => plan%axes(members(i))%covariance)
                if (size(row) == 1 .or. size(row) == size(members)) cycle
-               call fail(error, code_input, place_of(plan%file, plan%axes(members(i))%line)//'&axis: covariance takes ' &
-                  //'the variance, or a number for each of the '//integer_text(size(members))//' normal axes together')
+               call fail(error, code_input, place_of(plan%file, plan%axes(members(i))%line)//'&axis: covariance ' &
+                  //'takes the variance, or a number for each of the '//integer_text(size(members))// &
+                  ' normal axes together')
                return
             end associate
          end do
@@ -496,11 +496,5 @@ contains
          if (all(needed /= quantity)) needed = [needed, quantity]
       end subroutine need
    end subroutine choose_quantities
-
-   pure elemental logical function is_exact(kind)
-      integer, intent(in) :: kind
-
-      is_exact = kind < sampled_least
-   end function is_exact
 
 end module kyvadlo_sweep_plan

@@ -1,5 +1,5 @@
-!> What a chunk leaves: values, status, and the reductions of what is not stored. Sums are taken in lanes and blocks whose
-!> order is fixed.
+!> What a chunk leaves: values, status, and the reductions of what is not stored. Sums are taken in lanes and blocks
+!> whose order is fixed.
 module kyvadlo_sweep_reductions
    use, intrinsic :: iso_fortran_env, only: int8, int64
    use kyvadlo_kinds, only: wp => real64

@@ -124,7 +124,8 @@ contains
       end do
    end subroutine look_for_crossing
 
-   !> The first turning point outwards from the time on: the top of the parabola through three samples of the inclination.
+   !> The first turning point outwards from the time on: the top of the parabola through three samples of the
+   !> inclination.
    pure subroutine look_for_turning(sink, times, x, y, inclination)
       class(measured_samples_type), intent(inout) :: sink
       real(wp), intent(in), dimension(:) :: times, x, y, inclination
