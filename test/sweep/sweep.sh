@@ -4,7 +4,9 @@ mpirun=${3-}
 plans=$top/examples/sweeps
 with_netcdf=yes
 "$program" sweep "$plans/periods.nml" --output probe.nc 2>err || with_netcdf=
-ranks() { count=$1; shift; "$mpirun" --oversubscribe --allow-run-as-root -n "$count" "$program" sweep "$@"; }
+# mpirun waits for ever for ranks that were killed while they met for the first time.
+patience=300
+ranks() { count=$1; shift; timeout -k 2 "$patience" "$mpirun" --oversubscribe --allow-run-as-root -n "$count" "$program" sweep "$@"; }
 same() {
    checks=$((checks + 1))
    cmp -s "$1" "$2" || complain "$2 must have the bytes of $1"
@@ -104,6 +106,7 @@ run sweep wide.nml --output wide.nc
 expect_status 0
 kills=0
 unfinished=0
+patience=10
 rm -f killed.nc
 while [ "$kills" -lt 20 ]; do
    kills=$((kills + 1))
