@@ -114,7 +114,7 @@ module kyvadlo_commands
       example_type('eval', 'kyvadlo eval K 0.5', 'one value: the complete integral K at m = 1/2'), &
       example_type('eval', 'kyvadlo eval --kind quad orbit 1 9.80665 0.3 -0.8', 'the constants of an orbit'), &
       example_type('eval', 'kyvadlo eval <requests.txt >answers.txt', 'one request a line, one answer a line'), &
-      example_type('sweep', 'kyvadlo sweep examples/sweeps/periods.nml --output periods.nc', &
+      example_type('sweep', 'kyvadlo sweep examples/sweeps/periods.nml', &
          'periods and advances over a grid of orbits'), &
       example_type('sweep', 'mpirun -n 16 kyvadlo sweep PLAN --output FILE.nc --resume', &
          'the same bytes, by 16 processes; what is done is kept'), &

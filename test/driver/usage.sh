@@ -2,7 +2,7 @@
 . "$2/test/driver/expect.sh"
 
 fails 2 'no command' 
-fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, study, help, examples" tabel
+fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, sweep, study, help, examples" tabel
 fails 2 "unknown command ''" ''
 fails 2 "unknown option '--frobnicate'" --frobnicate
 fails 2 "unknown option '--frobnicate'" eval --frobnicate
