@@ -14,7 +14,7 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gfortran, pkg-config")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gnuplot-nox")
 if(KYVADLO_WITH_GSL AND NOT BUILD_SHARED_LIBS)
   # Who links the static libraries links GSL too.
-  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", libgsl-dev")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", libgsl-dev, liblapack-dev")
 endif()
 find_program(KYVADLO_SHLIBDEPS dpkg-shlibdeps)
 find_program(KYVADLO_FILE file)   # CPack calls it before

@@ -35,6 +35,7 @@ module kyvadlo_commands
       command_type('eval', '[NAME ARGUMENT...]', 'values of elliptic functions and of orbits: a calculator'), &
       command_type('sweep', 'PLAN [PART]...', &
       'quantities over grids and clouds of scenes, by all cores and machines'), &
+      command_type('fit', 'SCENE DATA', 'a pendulum with error bars from measurements of it'), &
       command_type('study', '[SCENE]...', 'what accuracy costs in time: error and time of every method, per orbit'), &
       command_type('help', '[TOPIC]', 'what a scene may say: its form, effects and output; help of a command'), &
       command_type('examples', '[NAME [FILE]]', 'the names of the example scenes; with NAME copies one into FILE')]
@@ -76,6 +77,9 @@ module kyvadlo_commands
          'print every group and name of a scene with its meaning, unit and default'), &
       option_type('simulate', '--threads', 'N', &
          'that share the work: they gain where cores are idle (default 1; 0: all there are)'), &
+      option_type('fit', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
+      option_type('fit', '--format', 'text|csv|json', 'layout of the output (default text)'), &
+      option_type('fit', '--residuals', 'FILE', 'measured, model and residual of every number, as CSV'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--modulus', '', 'arguments m and mc are given as their roots, the moduli k and k'''), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
@@ -118,6 +122,8 @@ module kyvadlo_commands
          'periods and advances over a grid of orbits'), &
       example_type('sweep', 'mpirun -n 16 kyvadlo sweep PLAN --output FILE.nc --resume', &
          'the same bytes, by 16 processes; what is done is kept'), &
+      example_type('fit', 'kyvadlo fit examples/fits/foucault.nml examples/fits/foucault.csv', &
+         'what the &fit group of the scene calls free'), &
       example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
       example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
       example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &
@@ -155,6 +161,10 @@ module kyvadlo_commands
       explanation_type('examples', &
          'FILE is NAME in the current folder if it is not given, - is standard output. A file that is'), &
       explanation_type('examples', 'there is not overwritten.'), &
+      explanation_type('fit', &
+         'SCENE has a &fit group that names what is free, DATA is a table with one line of names'), &
+      explanation_type('fit', &
+         '(doc/fitting.md). No first guess is needed. Exit status 1: there is no minimum.'), &
       explanation_type('study', &
          'Positions, periods, turning heights and elliptic functions by our closed form and by what else'), &
       explanation_type('study', &

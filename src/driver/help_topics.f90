@@ -122,6 +122,7 @@ contains
                if (s%group /= group) cycle
                term = trim(s%name)
                if (s%values == 3) term = term//' (three numbers)'
+               if (s%values == 2) term = term//' (two numbers)'
                if (s%unit /= '') term = term//' ['//trim(s%unit)//']'
                if (s%default == 'required') then
                   term = term//', must be given'
@@ -186,6 +187,8 @@ contains
          topic = 'scenes'
       case ('output', 'fit', 'sweep')
          topic = group
+      case ('camera')
+         topic = 'fit'
       case default
          topic = 'effects'
       end select

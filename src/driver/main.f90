@@ -2,6 +2,7 @@
 program kyvadlo_main
    use kyvadlo_command_line, only: arguments_type, option_given, read_command_line, write_help
    use kyvadlo_eval_command, only: eval_command
+   use kyvadlo_fit_command, only: fit_command
    use kyvadlo_help_command, only: examples_command, help_command
    use kyvadlo_help_pages, only: write_completion, write_manual_page
    use kyvadlo_help_topics, only: write_scene_page
@@ -50,6 +51,8 @@ contains
             select case (arguments%command)
             case ('eval')
                call eval_command(arguments, status, error)
+            case ('fit')
+               call fit_command(arguments, status, error)
             case ('table')
                call table_command(arguments, error)
             case ('simulate')

@@ -23,9 +23,18 @@ contains
          end if
          default = settings(i)%default
          if (default == 'required') default = 'none: must be given'
-         call sink%put('| `'//trim(settings(i)%name)//trim(merge('(3)', '   ', settings(i)%values == 3))//'` | ' &
+         call sink%put('| `'//trim(settings(i)%name)//trim(elements(settings(i)%values))//'` | ' &
             //trim(settings(i)%meaning)//' | '//trim(settings(i)%unit)//' | '//trim(default)//' |')
       end do
    end subroutine write_settings
+
+   !> `(3)` behind a vector.
+   pure function elements(values) result(text)
+      integer, intent(in) :: values
+      character(len=3) :: text
+
+      text = ''
+      if (values > 1) text = '('//achar(iachar('0') + values)//')'
+   end function elements
 
 end module kyvadlo_settings_list

@@ -2,7 +2,7 @@
 module kyvadlo_lapack
    implicit none
    private
-   public :: dgeev
+   public :: dgeev, dgesvd
 
    interface
       !> Eigenvalues, and eigenvectors if asked for, of a general real matrix.
@@ -17,6 +17,18 @@ module kyvadlo_lapack
          real(real64), intent(out) :: work(*)            !! (lwork), 3n at least without eigenvectors
          integer, intent(out) :: info                    !! 0, or why it failed
       end subroutine dgeev
+
+      !> Singular values, descending, and the vectors asked for: a = u diag(s) vt.
+      subroutine dgesvd(jobu, jobvt, m, n, a, lda, s, u, ldu, vt, ldvt, work, lwork, info)
+         use, intrinsic :: iso_fortran_env, only: real64
+         implicit none
+         character, intent(in) :: jobu, jobvt            !! 'N': none, 'S' or 'A': of u, of vt
+         integer, intent(in) :: m, n, lda, ldu, ldvt, lwork
+         real(real64), intent(inout) :: a(lda, *)        !! (m, n), overwritten
+         real(real64), intent(out) :: s(*), u(ldu, *), vt(ldvt, *)
+         real(real64), intent(out) :: work(*)            !! (lwork), max(3 min(m, n) + max(m, n), 5 min(m, n)) at least
+         integer, intent(out) :: info                    !! 0, or why it failed
+      end subroutine dgesvd
    end interface
 
 end module kyvadlo_lapack

@@ -204,7 +204,8 @@ contains
       type(setting_type), intent(in) :: setting
       character(len=length_of_takes(setting)) :: text
 
-      text = trim(setting%name)//' takes '//merge('one number', '3 numbers ', setting%values == 1)
+      text = trim(setting%name)//' takes '//merge('one number', integer_text(setting%values)//' numbers ', &
+         setting%values == 1)
       if (setting%rule == rule_text) text = trim(setting%name)//' takes one text'
    end function takes
 

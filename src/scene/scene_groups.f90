@@ -10,20 +10,22 @@ module kyvadlo_scene_groups
    public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, &
       rule_count, rule_text, rule_truth, rules
    public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, &
-      wind_group, earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group
+      wind_group, earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group, fit_group, &
+         camera_group
    public :: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, start_energy_above_bottom, &
       start_release, start_state
 
    !> Places in `group_names`.
    integer, parameter :: pendulum_group = 1, output_group = 2, rod_group = 3, string_group = 4, buoyancy_group = 5, &
       turning_frame_group = 6, air_group = 7, wind_group = 8, earth_rotation_group = 9, moving_pivot_group = 10, &
-      elastic_group = 11, anisotropic_support_group = 12
+      elastic_group = 11, anisotropic_support_group = 12, fit_group = 13, camera_group = 14
 
    character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', &
-      'buoyancy', 'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support']
+      'buoyancy', 'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support', &
+      'fit', 'camera']
    !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
    logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., &
-      .false., .false., .false., .false., .false., .false.]
+      .false., .false., .false., .false., .false., .false., .true., .true.]
 
    !> What a value may be: `name must RULE`.
    integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &
@@ -37,7 +39,7 @@ module kyvadlo_scene_groups
    type :: setting_type
       integer :: group                     !! Place in `group_names`
       character(len=19) :: name
-      integer :: values                    !! How many it takes: 1, or 3 for vectors
+      integer :: values                    !! How many it takes: 1, or 2 or 3 for vectors
       integer :: rule                      !! One of the `rule_*` constants
       character(len=6) :: unit
       character(len=80) :: meaning
@@ -101,7 +103,36 @@ module kyvadlo_scene_groups
       setting_type(elastic_group, 'mass', 1, rule_positive, 'kg', 'of the bob, positive', 'required'), &
       setting_type(anisotropic_support_group, 'extra_length_x', 1, rule_not_negative, 'm', &
       'by how much longer the pendulum is when it swings along x, not negative', '0'), &
-      setting_type(anisotropic_support_group, 'extra_length_y', 1, rule_not_negative, 'm', 'the same along y', '0')]
+      setting_type(anisotropic_support_group, 'extra_length_y', 1, rule_not_negative, 'm', 'the same along y', '0'), &
+      setting_type(fit_group, 'free', 1, rule_text, '', &
+      'names of the settings to find, separated by blanks or commas, in quotation marks', 'required'), &
+      setting_type(fit_group, 'sigma', 1, rule_positive, '', 'standard deviation of every measured column', ''), &
+      setting_type(fit_group, 'sigma_x', 1, rule_positive, 'm', 'of the column `x`', ''), &
+      setting_type(fit_group, 'sigma_y', 1, rule_positive, 'm', 'of the column `y`', ''), &
+      setting_type(fit_group, 'sigma_z', 1, rule_positive, 'm', 'of the column `z`', ''), &
+      setting_type(fit_group, 'sigma_azimuth', 1, rule_positive, '', 'of the column `azimuth`', ''), &
+      setting_type(fit_group, 'sigma_angle', 1, rule_positive, '', 'of the column `angle`', ''), &
+      setting_type(fit_group, 'sigma_u', 1, rule_positive, '', 'of the column `u`', ''), &
+      setting_type(fit_group, 'sigma_v', 1, rule_positive, '', 'of the column `v`', ''), &
+      setting_type(fit_group, 'sigma_tension', 1, rule_positive, 'm/s2', 'of the column `tension`', ''), &
+      setting_type(fit_group, 'sigma_plane', 1, rule_positive, '', 'of the column `plane`', ''), &
+      setting_type(fit_group, 'sigma_turning_time', 1, rule_positive, 's', 'of the column `turning_time`', ''), &
+      setting_type(fit_group, 'sigma_crossing_time', 1, rule_positive, 's', 'of the column `crossing_time`', ''), &
+      setting_type(fit_group, 'sigma_period', 1, rule_positive, 's', 'of the column `period`', ''), &
+      setting_type(fit_group, 'sigma_amplitude', 1, rule_positive, '', 'of the column `amplitude`', ''), &
+      setting_type(fit_group, 'sigma_t', 1, rule_positive, 's', 'of the column `t`', ''), &
+      setting_type(fit_group, 'units', 1, rule_text, '', &
+      '`degrees`: the angles of the data and their sigmas; `pixels` as a reminder', '`''radians''`'), &
+      setting_type(fit_group, 'loss', 1, rule_text, '', &
+      '`squares`, `huber` or `cauchy`: what residuals far beyond their sigma count', '`''squares''`'), &
+      setting_type(fit_group, 'loss_scale', 1, rule_positive, '', &
+      'the residual, in sigmas, from which on it counts less', '1.345 or 2.385'), &
+      setting_type(camera_group, 'view', 1, rule_text, '', '`xz`, `yz` or `xy`: what u and v would show, unturned', &
+      'required'), &
+      setting_type(camera_group, 'scale', 1, rule_positive, '1/m', 'units of u and v in a metre', '1'), &
+      setting_type(camera_group, 'angle', 1, rule_any, 'deg', 'by which the picture is turned, from u to v', '0'), &
+      setting_type(camera_group, 'offset', 2, rule_any, 'm', 'added to what is seen before turning and scaling', '0'), &
+      setting_type(camera_group, 'time_offset', 1, rule_any, 's', 'added to t of the data gives t of the scene', '0')]
 
    !> A start is given by two names. The first tells which it is.
    type :: start_type

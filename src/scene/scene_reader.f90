@@ -45,7 +45,7 @@ contains
       if (.not. allocated(pendulums)) allocate (pendulums(0))
    end subroutine parse_scene
 
-   !> Only what a pendulum without effects is: &output and &rod change nothing about it.
+   !> Only what a pendulum without effects is: &output, &rod, &fit and &camera change nothing about it.
    pure subroutine scene_from_groups(groups, file, pendulums, error, note)
       type(group_type), intent(in) :: groups(:)
       character(len=*), intent(in) :: file
@@ -61,7 +61,7 @@ contains
       if (allocated(error)) return
       do i = 1, size(group_names)
          ! The length of the orbit is that of a rod, which is what the tables show anyway.
-         if (.not. settings%given(i) .or. i == output_group .or. i == rod_group) cycle
+         if (.not. settings%given(i) .or. any(i == [output_group, rod_group, fit_group, camera_group])) cycle
          what = place_of(file, settings%line(i))//'&'//trim(group_names(i))//' is computed by kyvadlo simulate'
          if (present(note)) then
             note%text = what//'; here is the motion without it'

@@ -61,13 +61,29 @@ contains
          else
             chosen%given(place) = .true.
             chosen%line(place) = groups(i)%line
-            call read_group(groups(i), place, values, error)
+            if (place == fit_group) then
+               call read_group(without_bounds(groups(i)), place, values, error)
+            else
+               call read_group(groups(i), place, values, error)
+            end if
          end if
          if (allocated(error)) return
       end do
       call take_values(values, chosen, error)
       if (.not. allocated(error)) call check_together(values, chosen, error)
    end subroutine settings_from_groups
+
+   !> &fit without the names that begin with another setting's bound or prior: kyvadlo_fit_request reads them.
+   pure function without_bounds(group) result(rest)
+      type(group_type), intent(in) :: group
+      type(group_type) :: rest
+      integer :: i
+
+      rest = group
+      rest%entries = group%entries(pack([(i, i=1, size(group%entries))], [(index(group%entries(i)%name, 'least_') /= 1 &
+         .and. index(group%entries(i)%name, 'most_') /= 1 .and. index(group%entries(i)%name, 'prior_') /= 1, &
+         i=1, size(group%entries))]))
+   end function without_bounds
 
    !> Puts the values where they belong.
    pure subroutine take_values(values, chosen, error)

@@ -21,9 +21,10 @@ pendulum kyvadlo_string a bob on a string
 numeric kyvadlo_effects what else acts
 numeric kyvadlo_integrator motion by integration
 scene kyvadlo_simulate the samples of a scene
+fit kyvadlo_fit a pendulum from measurements
 driver kyvadlo_main the program
 END
-folders='arithmetic elliptic pendulum . interfaces numeric scene study sweep driver'
+folders='arithmetic elliptic pendulum . interfaces numeric scene fit study sweep driver'
 
 find src -name '*.f90' -o -name '*.F90' | grep -v '/unit_' | LC_ALL=C sort >"$scratch/sources"
 awk -v folders="$folders" '

@@ -32,7 +32,7 @@ find src bench -name '*.f90' -o -name '*.F90' | grep -v '/unit_' | LC_ALL=C sort
       }
       close(file)
    }
-   BEGIN { split("arithmetic elliptic pendulum interfaces numeric scene study sweep driver", name, " ")
+   BEGIN { split("arithmetic elliptic pendulum interfaces numeric scene fit study sweep driver", name, " ")
            for (i in name) order[name[i]] = i + (i > 3) * 0 }
    { top_file = $0; current = ""; read_file($0) }
    END {

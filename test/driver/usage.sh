@@ -2,7 +2,7 @@
 . "$2/test/driver/expect.sh"
 
 fails 2 'no command' 
-fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, sweep, study, help, examples" tabel
+fails 2 "unknown command 'tabel'; the commands are table, simulate, eval, sweep, fit, study, help, examples" tabel
 fails 2 "unknown command ''" ''
 fails 2 "unknown option '--frobnicate'" --frobnicate
 fails 2 "unknown option '--frobnicate'" eval --frobnicate
@@ -69,7 +69,7 @@ if command -v groff >/dev/null; then
 fi
 
 # Offline, every name of a scene is explained, and every quantity.
-for topic in scenes effects output; do run help $topic; expect_status 0; cat out; done >topics
+for topic in scenes effects output fit sweep; do run help $topic; expect_status 0; cat out; done >topics
 run simulate --list
 sed -n 's/^| `\([a-z_]*\).*/\1/p' out | sort -u >names
 checks=$((checks + 1))
@@ -82,7 +82,7 @@ run help
 expect_in_out 'effects   what else may act'
 run help eval
 expect_in_out 'Usage: kyvadlo eval'
-fails 2 "unknown topic 'weather'; the topics are scenes, effects, output, table" help weather
+fails 2 "unknown topic 'weather'; the topics are scenes, effects, output, fit, table" help weather
 fails 2 'help takes one TOPIC' help scenes effects
 
 # The example scenes: listed, copied byte for byte, and no file is overwritten.

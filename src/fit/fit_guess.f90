@@ -1,0 +1,494 @@
+!> Where a fit may begin, from nothing but the data: a periodogram tells the period, and for shapes of orbits on a grid
+!> the closed form tells what the rest is, by linear least squares.
+module kyvadlo_fit_guess
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_nan
+   use kyvadlo_orbit_real64, only: new_orbit_from_heights, orbit_type
+   use kyvadlo_state_real64, only: new_orbit_from_state
+   use kyvadlo_status, only: error_type
+   implicit none
+   private
+   public :: guess_type, view_type, find_guesses, frequency_peaks
+
+   !> A pendulum that may have made the data.
+   type :: guess_type
+      real(wp) :: length = 1, gravity = 1
+      real(wp) :: position(3) = 0, velocity(3) = 0         !! At t = 0
+      real(wp) :: scale = 1, angle = 0, offset(2) = 0      !! Of the camera; the angle in radians
+      real(wp) :: misfit = huge(1.0_wp)                    !! Sum of squares over that of the data
+   end type guess_type
+
+   !> What was seen, and what is known beforehand (0: not).
+   type :: view_type
+      real(wp), allocatable :: times(:)
+      real(wp), allocatable :: seen(:, :)                  !! (n, 3) x, y, z; or u, v and nothing; NaN where not seen
+      logical :: has(3) = .false., is_camera = .false., is_angle = .false.
+      integer :: axes(2) = [1, 3]                          !! Of the camera
+      logical :: is_offset_free = .false., is_turn_free = .false.
+      real(wp) :: length = 0, gravity = 0, scale = 0, offset(2) = 0, angle = 0
+      !> The start, where it is known: another orbit is not looked for.
+      logical :: is_plane = .false.
+   end type view_type
+
+   real(wp), parameter :: pi = acos(-1.0_wp)
+
+contains
+
+   !> The frequencies at which the columns have most power, floating mean taken out, descending [1/s].
+   subroutine frequency_peaks(times, columns, peaks, count)
+      real(wp), intent(in) :: times(:), columns(:, :)      !! (n), (n, m)
+      real(wp), intent(out) :: peaks(:)
+      integer, intent(out) :: count
+      real(wp) :: span, step, best, previous, top, mean(size(columns, 2)), total
+      real(wp), allocatable :: power(:), d(:, :), c(:), s(:), dc(:), ds(:)
+      real(wp) :: cc, ss, cs, dcs, dss, det, turn
+      integer :: i, j, k, n, m, crossings, most
+
+      n = size(times)
+      m = size(columns, 2)
+      count = 0
+      span = times(n) - times(1)
+      allocate (d(n, m), c(n), s(n), dc(n), ds(n))
+      most = 2
+      total = 0
+      do j = 1, m
+         mean(j) = sum(columns(:, j))/n
+         d(:, j) = columns(:, j) - mean(j)
+         total = total + sum(d(:, j)**2)
+         crossings = 0
+         do i = 2, n
+            if (d(i, j)*d(i - 1, j) < 0) crossings = crossings + 1
+         end do
+         if (sum(d(:, j)**2) > 0) most = max(most, crossings)
+      end do
+      if (.not. total > 0) return
+      step = 0.15_wp/span
+      k = ceiling(1.6_wp*(most + 2)/(span*step))
+      allocate (power(k))
+      c = cos(2*pi*step*(times - times(1)))
+      s = sin(2*pi*step*(times - times(1)))
+      dc = c
+      ds = s
+      do i = 1, k
+         cc = sum(c**2) - sum(c)**2/n
+         ss = sum(s**2) - sum(s)**2/n
+         cs = sum(c*s) - sum(c)*sum(s)/n
+         det = cc*ss - cs**2
+         power(i) = 0
+         if (det > 1e-6_wp*n**2) then
+            do j = 1, m
+               dcs = dot_product(c, d(:, j))
+               dss = dot_product(s, d(:, j))
+               power(i) = power(i) + (dcs**2*ss - 2*dcs*dss*cs + dss**2*cc)/det
+            end do
+         end if
+         do j = 1, n
+            turn = c(j)*dc(j) - s(j)*ds(j)
+            s(j) = s(j)*dc(j) + c(j)*ds(j)
+            c(j) = turn
+         end do
+      end do
+      top = huge(top)
+      do while (count < size(peaks))
+         best = 0
+         j = 0
+         do i = 1, k
+            previous = 0
+            if (i > 1) previous = power(i - 1)
+            if (power(i) < previous .or. power(i) >= top .or. power(i) <= best) cycle
+            if (i < k) then
+               if (power(i) < power(i + 1)) cycle
+            end if
+            best = power(i)
+            j = i
+         end do
+         if (j == 0 .or. best < 0.03_wp*total) exit
+         count = count + 1
+         peaks(count) = j*step
+         ! By a parabola through three values.
+         if (j > 1 .and. j < k) then
+            turn = power(j - 1) - 2*power(j) + power(j + 1)
+            if (turn < 0) peaks(count) = (j + 0.5_wp*(power(j - 1) - power(j + 1))/turn)*step
+         end if
+         top = best
+      end do
+   end subroutine frequency_peaks
+
+   !> Pendulums whose motion is like what was seen, the best first.
+   subroutine find_guesses(view, guesses, count)
+      type(view_type), intent(in) :: view
+      type(guess_type), intent(out) :: guesses(:)
+      integer, intent(out) :: count
+      !> Highest angles from the downward vertical, and lowest as part of what goes with them [degrees].
+      real(wp), parameter :: highest(*) = [2.0_wp, 8.0_wp, 18.0_wp, 30.0_wp, 45.0_wp, 60.0_wp, 75.0_wp, 90.0_wp, &
+         105.0_wp, &
+         120.0_wp, 135.0_wp, 150.0_wp, 163.0_wp, 173.0_wp]
+      real(wp), parameter :: parts(*) = [0.005_wp, 0.15_wp, 0.35_wp, 0.55_wp, 0.75_wp, 0.95_wp]
+      real(wp), parameter :: nearby(*) = [1.0_wp, 0.94_wp, 1.06_wp]
+      integer, parameter :: phases = 12
+      real(wp) :: peaks(3), rate, upper, lower, rates(30)
+      real(wp), allocatable :: columns(:, :), position(:, :), at(:)
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+      integer :: found, i, j, k, l, p, n, m, tries
+
+      n = size(view%times)
+      count = 0
+      m = 0
+      allocate (columns(n, 3), position(3, n), at(n))
+      do j = 1, 3
+         if (.not. view%has(j)) cycle
+         m = m + 1
+         columns(:, m) = view%seen(:, j)
+      end do
+      call frequency_peaks(view%times, columns(:, :m), peaks, found)
+      if (all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
+      do i = 1, size(highest)
+         do j = 1, size(parts)
+            if (view%is_plane .and. j > 1) exit
+            upper = -cos(highest(i)*pi/180)
+            lower = -cos(parts(j)*min(highest(i), 180 - highest(i))*pi/180)
+            call new_orbit_from_heights(orbit, 1.0_wp, 1.0_wp, upper, lower, error)
+            if (allocated(error)) cycle
+            tries = 0
+            if (view%length > 0 .and. view%gravity > 0) then
+               tries = 1
+               rates(1) = sqrt(view%gravity/view%length)
+            else
+               do k = 1, found
+                  do l = 1, size(nearby)
+                     ! The strongest line is that of the mean azimuth, or of the height.
+                     rates(tries + 1) = 2*pi*peaks(k)*nearby(l)/(orbit%azimuth_per_period()/orbit%period())
+                     rates(tries + 2) = peaks(k)*nearby(l)*orbit%period()
+                     tries = tries + 2
+                  end do
+               end do
+            end if
+            do k = 1, tries
+               rate = rates(k)
+               do p = 0, phases - 1
+                  at = rate*(view%times - view%times(1)) + orbit%period()*p/phases
+                  call orbit%locate(at, position)
+                  call compare(view, orbit, rate, orbit%period()*p/phases - rate*view%times(1), position, guesses, &
+                     count)
+               end do
+            end do
+         end do
+      end do
+   end subroutine find_guesses
+
+   !> Fits turn, size, camera and sense of rotation to the unit motion, and keeps the best.
+   subroutine compare(view, orbit, rate, phase, position, guesses, count)
+      type(view_type), intent(in) :: view
+      type(orbit_type), intent(in) :: orbit
+      real(wp), intent(in) :: rate, phase, position(:, :)
+      type(guess_type), intent(inout) :: guesses(:)
+      integer, intent(inout) :: count
+      integer :: n, turn, turns, sense, senses
+      real(wp) :: size_known, misfit, total, across
+      complex(wp) :: factor, shift
+      complex(wp), allocatable :: w(:), d(:)
+      type(guess_type) :: guess
+
+      n = size(view%times)
+      size_known = view%length
+      if (.not. size_known > 0 .and. view%gravity > 0) size_known = view%gravity/rate**2
+      allocate (w(n), d(n))
+      if (view%is_camera) then
+         d = cmplx(view%seen(:, 1), view%seen(:, 2), wp)
+         turns = merge(1, 12, all(view%axes == [1, 2]))
+         senses = merge(2, 1, turns == 1)
+      else if (all(view%has(1:2))) then
+         d = cmplx(view%seen(:, 1), view%seen(:, 2), wp)
+         turns = 1
+         senses = 2
+      else
+         turns = 12
+         senses = merge(1, 2, .false.)
+      end if
+      if (view%is_plane) turns = 2
+      do sense = 1, senses
+         do turn = 0, turns - 1
+            across = 2*pi*turn/turns
+            shift = 0
+            if (view%is_camera .or. all(view%has(1:2))) then
+               ! w may be turned and stretched, d = factor w + shift.
+               if (view%is_camera .and. turns > 1) then
+                  if (view%axes(1) == 1) then
+                     w = cmplx(cos(across)*position(1, :) - sin(across)*position(2, :), position(3, :), wp)
+                  else
+                     w = cmplx(sin(across)*position(1, :) + cos(across)*position(2, :), position(3, :), wp)
+                  end if
+               else
+                  w = cmplx(position(1, :), merge(1, -1, sense == 1)*position(2, :), wp)
+               end if
+               call match(view, w, d, size_known, factor, shift)
+               if (view%is_camera) then
+                  misfit = sum(abs(d - factor*w - shift)**2)
+                  total = sum(abs(d - sum(d)/n)**2)
+                  guess%length = size_known
+                  if (.not. size_known > 0) guess%length = abs(factor)/merge(view%scale, 1.0_wp, view%scale > 0)
+                  guess%gravity = view%gravity
+                  if (.not. view%gravity > 0) guess%gravity = guess%length*rate**2
+                  guess%scale = abs(factor)/guess%length
+                  guess%angle = atan2(aimag(factor), real(factor))
+                  guess%offset = 0
+                  if (view%is_offset_free .and. abs(factor) > 0) guess%offset = [real(shift/factor), &
+                     aimag(shift/factor)] &
+                     *guess%length
+                  if (turns == 1) then
+                     across = guess%angle - view%angle
+                     guess%angle = view%angle
+                  end if
+               else
+                  guess%length = abs(factor)
+                  if (view%has(3)) then
+                     if (.not. size_known > 0) guess%length = (abs(dot_product(w, d)) + dot_product(position(3, :), &
+                        view%seen(:, 3)))/n
+                     if (.not. guess%length > 0) cycle
+                     factor = factor/abs(factor)*guess%length
+                  end if
+                  if (.not. abs(factor) > 0) cycle
+                  across = atan2(aimag(factor), real(factor))
+                  misfit = sum(abs(d - factor*w)**2)
+                  total = sum(abs(d)**2)
+                  if (view%has(3)) then
+                     misfit = misfit + sum((view%seen(:, 3) - guess%length*position(3, :))**2)
+                     total = total + sum((view%seen(:, 3) - sum(view%seen(:, 3))/n)**2)
+                  end if
+                  guess%gravity = view%gravity
+                  if (.not. view%gravity > 0) guess%gravity = guess%length*rate**2
+               end if
+            else
+               call match_columns(view, position, across, size_known, guess%length, misfit, total)
+               guess%gravity = view%gravity
+               if (.not. view%gravity > 0) guess%gravity = guess%length*rate**2
+            end if
+            if (.not. total > 0 .or. .not. guess%length > 0) cycle
+            guess%misfit = misfit/total
+            if (count == size(guesses)) then
+               if (guess%misfit >= guesses(count)%misfit) cycle
+            end if
+            call start_of(orbit, phase, across, merge(1, -1, sense == 1), guess)
+            call insert(guesses, count, guess)
+         end do
+      end do
+   end subroutine compare
+
+   !> factor and shift of d = factor w + shift, as far as they are free.
+   subroutine match(view, w, d, size_known, factor, shift)
+      type(view_type), intent(in) :: view
+      complex(wp), intent(in) :: w(:), d(:)
+      real(wp), intent(in) :: size_known
+      complex(wp), intent(out) :: factor, shift
+      complex(wp) :: w0, d0
+      integer :: n
+
+      n = size(w)
+      w0 = 0
+      d0 = 0
+      if (view%is_camera .and. view%is_offset_free) then
+         w0 = sum(w)/n
+         d0 = sum(d)/n
+      else if (view%is_camera) then
+         d0 = view%scale*exp(cmplx(0.0_wp, view%angle, wp))*cmplx(view%offset(1), view%offset(2), wp)
+      end if
+      factor = dot_product(w - w0, d - d0)/max(sum(abs(w - w0)**2), tiny(1.0_wp))
+      if (view%is_camera .and. .not. view%is_turn_free .and. any(view%axes /= [1, 2])) &
+         factor = real(factor*exp(cmplx(0.0_wp, -view%angle, wp)))*exp(cmplx(0.0_wp, view%angle, wp))
+      if (size_known > 0 .and. abs(factor) > 0) then
+         if (.not. view%is_camera) factor = factor/abs(factor)*size_known
+         if (view%is_camera .and. view%scale > 0) factor = factor/abs(factor)*size_known*view%scale
+      end if
+      shift = d0 - factor*w0
+   end subroutine match
+
+   !> Single columns for a given turn; the size by least squares if it is not known. An angle has none.
+   subroutine match_columns(view, position, across, size_known, length, misfit, total)
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: position(:, :), across, size_known
+      real(wp), intent(out) :: length, misfit, total
+      real(wp) :: model(size(position, 2), 3), up, down
+      integer :: j, n
+
+      n = size(position, 2)
+      model(:, 1) = cos(across)*position(1, :) - sin(across)*position(2, :)
+      model(:, 2) = sin(across)*position(1, :) + cos(across)*position(2, :)
+      model(:, 3) = position(3, :)
+      if (view%is_angle) then
+         model(:, 1) = atan2(model(:, 1), -model(:, 3))
+         length = 1
+         if (size_known > 0) length = size_known
+      else
+         up = 0
+         down = 0
+         do j = 1, 3
+            if (.not. view%has(j)) cycle
+            up = up + dot_product(model(:, j), view%seen(:, j))
+            down = down + sum(model(:, j)**2)
+         end do
+         length = up/max(down, tiny(down))
+         if (size_known > 0) length = size_known
+      end if
+      misfit = 0
+      total = 0
+      do j = 1, 3
+         if (.not. view%has(j)) cycle
+         total = total + sum((view%seen(:, j) - sum(view%seen(:, j))/n)**2)
+         if (view%is_angle) then
+            misfit = misfit + sum((modulo(view%seen(:, j) - model(:, j) + pi, 2*pi) - pi)**2)
+         else
+            misfit = misfit + sum((view%seen(:, j) - length*model(:, j))**2)
+         end if
+      end do
+   end subroutine match_columns
+
+   !> The start at t = 0 of a unit orbit, turned and stretched.
+   subroutine start_of(orbit, phase, across, sense, guess)
+      type(orbit_type), intent(in) :: orbit
+      real(wp), intent(in) :: phase, across
+      integer, intent(in) :: sense
+      type(guess_type), intent(inout) :: guess
+      real(wp) :: position(3), velocity(3), c, s
+
+      call orbit%locate(phase, position, velocity)
+      position(2) = sense*position(2)
+      velocity(2) = sense*velocity(2)
+      c = cos(across)
+      s = sin(across)
+      guess%position = guess%length*[c*position(1) - s*position(2), s*position(1) + c*position(2), position(3)]
+      guess%velocity = sqrt(guess%length*guess%gravity)*[c*velocity(1) - s*velocity(2), s*velocity(1) + c*velocity(2), &
+         velocity(3)]
+   end subroutine start_of
+
+   !> Among the best; one like another takes its place or none.
+   subroutine insert(guesses, count, guess)
+      type(guess_type), intent(inout) :: guesses(:)
+      integer, intent(inout) :: count
+      type(guess_type), intent(in) :: guess
+      integer :: i, at
+
+      if (is_nan(guess%misfit) .or. is_nan(sum(guess%position) + sum(guess%velocity))) return
+      do i = 1, count
+         if (norm2(guess%position - guesses(i)%position) > 0.25_wp*guess%length) cycle
+         if (norm2(guess%velocity - guesses(i)%velocity) > 0.25_wp*sqrt(guess%length*guess%gravity)) cycle
+         if (abs(log(guess%gravity*guesses(i)%length/(guess%length*guesses(i)%gravity))) > 0.1_wp) cycle
+         if (abs(log(guess%length/guesses(i)%length)) > 0.25_wp) cycle
+         if (guess%misfit >= guesses(i)%misfit) return
+         guesses(i:count - 1) = guesses(i + 1:count)
+         count = count - 1
+         exit
+      end do
+      at = count + 1
+      do i = 1, count
+         if (guess%misfit < guesses(i)%misfit) then
+            at = i
+            exit
+         end if
+      end do
+      if (at > size(guesses)) return
+      count = min(count + 1, size(guesses))
+      guesses(at + 1:count) = guesses(at:count - 1)
+      guesses(at) = guess
+   end subroutine insert
+
+   !> Of x, y, z seen often enough: the length from the distances, gravity and a state from cubics through short pieces.
+   subroutine guess_by_polynomials(view, peaks, guesses, count)
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: peaks(:)
+      type(guess_type), intent(inout) :: guesses(:)
+      integer, intent(inout) :: count
+      type(guess_type) :: guess
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+      integer :: first, last, n, j, k, pieces
+      real(wp) :: length, t, a(4, 4), b(4, 3), power(4), up, down, pull(3), across(3), best, p(3), v(3), at
+      real(wp) :: where_to(3), speed(3), when
+
+      n = size(view%times)
+      if (size(peaks) == 0) return
+      length = sum(norm2(view%seen, dim=2))/n
+      if (view%length > 0) length = view%length
+      up = 0
+      down = 0
+      best = -1
+      pieces = 0
+      first = 1
+      do while (first <= n - 5)
+         last = first
+         do while (last < n)
+            if (view%times(last + 1) - view%times(first) > 0.22_wp/peaks(1)) exit
+            last = last + 1
+         end do
+         if (last - first >= 5) then
+            t = (view%times(first) + view%times(last))/2
+            a = 0
+            b = 0
+            do k = first, last
+               power = ((view%times(k) - t)*peaks(1))**[0, 1, 2, 3]
+               do j = 1, 4
+                  a(:, j) = a(:, j) + power*power(j)
+               end do
+               do j = 1, 3
+                  b(:, j) = b(:, j) + power*view%seen(k, j)
+               end do
+            end do
+            call solve(a, b)
+            p = b(1, :)
+            v = b(2, :)*peaks(1)
+            pull = 2*b(3, :)*peaks(1)**2
+            across = [0.0_wp, 0.0_wp, 1.0_wp] - p(3)/dot_product(p, p)*p
+            up = up - dot_product(pull, across)
+            down = down + dot_product(across, across)
+            pieces = pieces + 1
+            if (pieces == 1) then
+               where_to = p
+               speed = v
+               when = t
+            end if
+         end if
+         first = max(last, first + 1)
+      end do
+      if (pieces == 0 .or. .not. down > 0) return
+      at = up/down
+      if (view%gravity > 0) at = view%gravity
+      if (.not. at > 0) return
+      guess%length = length
+      guess%gravity = at
+      where_to = where_to/norm2(where_to)*length
+      speed = speed - dot_product(speed, where_to)/length**2*where_to
+      call new_orbit_from_state(orbit, length, at, where_to, speed, error)
+      if (allocated(error)) return
+      call orbit%locate(-when, guess%position, guess%velocity)
+      guess%misfit = 0
+      do k = 1, n
+         call orbit%locate(view%times(k) - when, p)
+         guess%misfit = guess%misfit + sum((p - view%seen(k, :))**2)
+      end do
+      up = 0
+      do j = 1, 3
+         up = up + sum((view%seen(:, j) - sum(view%seen(:, j))/n)**2)
+      end do
+      guess%misfit = guess%misfit/up
+      call insert(guesses, count, guess)
+   end subroutine guess_by_polynomials
+
+   !> Gauss's elimination of a small positive definite matrix.
+   pure subroutine solve(a, b)
+      real(wp), intent(inout) :: a(:, :), b(:, :)
+      integer :: i, j
+
+      do i = 1, size(a, 1)
+         if (.not. abs(a(i, i)) > 0) return
+         do j = 1, size(a, 1)
+            if (j == i) cycle
+            b(j, :) = b(j, :) - a(j, i)/a(i, i)*b(i, :)
+            a(j, :) = a(j, :) - a(j, i)/a(i, i)*a(i, :)
+         end do
+      end do
+      do i = 1, size(a, 1)
+         b(i, :) = b(i, :)/a(i, i)
+      end do
+   end subroutine solve
+
+end module kyvadlo_fit_guess

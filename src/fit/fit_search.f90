@@ -1,0 +1,291 @@
+!> The search for the best minimum: guesses from the data or the scene, each followed over longer and longer parts of
+!> the
+!> data, as a start that is right over three periods is right enough for eight.
+module kyvadlo_fit_search
+   use kyvadlo_fit_data
+   use kyvadlo_fit_model, only: model_type, use_until
+   use kyvadlo_fit_physics, only: physics_type
+   use kyvadlo_fit_places, only: effect_guesses, guess_places, most_guesses, place_type
+   use kyvadlo_fit_request, only: fit_request_type
+   use kyvadlo_fit_unknowns, only: form_logarithm, numbers_at, physics_at, place_at, unknowns_type
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_least_squares, only: minimise, minimum_type
+   use kyvadlo_scene_groups
+   implicit none
+   private
+   public :: search, minimise_all
+
+contains
+
+   !> The best minimum of all the data. x is around `model%motion`.
+   subroutine search(model, request, x, best, others)
+      type(model_type), intent(inout) :: model
+      type(fit_request_type), intent(in) :: request
+      real(wp), allocatable, intent(out) :: x(:)
+      type(minimum_type), intent(out) :: best
+      real(wp), allocatable, intent(out) :: others(:, :, :)  !! Numbers of other minima that were found
+      type(place_type) :: places(most_guesses + 1), kept(2*most_guesses)
+      type(minimum_type) :: minimum
+      real(wp) :: period
+      integer :: count, i, j, n_kept, steps, done, begun
+
+      allocate (x(size(model%motion%of)))
+      n_kept = 0
+      best%squares = huge(1.0_wp)
+      do steps = 1, 2
+         if (steps == 1) then
+            ! The scene's own numbers first, where it has them all.
+            if (.not. all(request%free%is_given .or. settings(request%free%setting)%group /= pendulum_group)) cycle
+            if (.not. all(request%free%is_given .or. settings(request%free%setting)%group /= camera_group)) cycle
+            count = 1
+            places(1)%number = request%number
+            call effect_guesses(request, places(1)%number)
+         else
+            call guess_places(model, request, places, count)
+         end if
+         done = 0
+         do while (done < count)
+            begun = done + 1
+            do i = begun, count
+               call follow(model, places(i), x, 1, minimum, period)
+               places(i)%squares = minimum%squares
+               done = i
+               if (begun == 1 .and. looks_good(model, minimum%squares)) exit
+            end do
+            call sort(places(begun:done))
+            do i = begun, min(done, begun + 4)
+               if (places(i)%squares < huge(1.0_wp)) call try(places(i))
+               if (is_done()) exit
+            end do
+            if (is_done()) exit
+         end do
+         if (is_done()) exit
+      end do
+      if (n_kept > 0 .and. .not. is_done()) then
+         ! The other sense of rotation, which a narrow ellipse hides at first.
+         i = minloc(kept(:n_kept)%squares, 1)
+         places(1) = kept(i)
+         associate (p => places(1)%number(:, setting_place(pendulum_group, 'position')), &
+               v => places(1)%number(:, setting_place(pendulum_group, 'velocity')))
+            if (model%motion%is_velocity_free .and. norm2(p(:2)) > 0) then
+               v(:2) = v(:2) - 2*(p(1)*v(2) - p(2)*v(1))/dot_product(p(:2), p(:2))*[-p(2), p(1)]
+               call try(places(1))
+            end if
+         end associate
+      end if
+      if (n_kept == 0) then
+         best = minimum_type()
+         allocate (others(3, size(settings), 0))
+         return
+      end if
+      i = minloc(kept(:n_kept)%squares, 1)
+      model%motion%number = kept(i)%number
+      call use_until(model, huge(1.0_wp), 1)
+      call place_at(model%motion, x)
+      j = 0
+      allocate (others(3, size(settings), n_kept))
+      do steps = 1, n_kept
+         if (steps == i .or. kept(steps)%squares > 1.3_wp*kept(i)%squares + 20) cycle
+         if (is_same(model%motion, kept(steps)%number, kept(i)%number)) cycle
+         j = j + 1
+         others(:, :, j) = kept(steps)%number
+      end do
+      others = others(:, :, :j)
+
+   contains
+
+      subroutine try(place)
+         type(place_type), intent(inout) :: place
+
+         if (n_kept == size(kept)) return
+         call follow(model, place, x, 2, minimum, period)
+         if (.not. minimum%squares < huge(1.0_wp)) return
+         n_kept = n_kept + 1
+         kept(n_kept) = place
+         kept(n_kept)%squares = minimum%squares
+         if (minimum%squares < best%squares) best = minimum
+      end subroutine try
+
+      !> As good as its sigmas say, to three deviations of chi2.
+      logical function is_done()
+         real(wp) :: free
+
+         free = max(1, size(model%all) - size(x))
+         is_done = best%is_found .and. best%squares < free + 3*sqrt(2*free)
+      end function is_done
+   end subroutine search
+
+   !> By squares.
+   subroutine sort(places)
+      type(place_type), intent(inout) :: places(:)
+      type(place_type) :: swap
+      integer :: i, j
+
+      do i = 2, size(places)
+         swap = places(i)
+         j = i - 1
+         do while (j >= 1)
+            if (places(j)%squares <= swap%squares) exit
+            places(j + 1) = places(j)
+            j = j - 1
+         end do
+         places(j + 1) = swap
+      end do
+   end subroutine sort
+
+   logical function is_same(motion, one, other)
+      type(unknowns_type), intent(in) :: motion
+      real(wp), intent(in) :: one(:, :), other(:, :)
+      integer :: j, k
+
+      is_same = .true.
+      do j = 1, size(motion%of)
+         k = motion%of(j)%setting
+         if (any(abs(one(:, k) - other(:, k)) > 1e-3_wp*max(maxval(abs(one(:, k))), maxval(abs(other(:, k))), &
+            1e-6_wp))) &
+            is_same = .false.
+      end do
+   end function is_same
+
+   !> Whether residuals are as large as their sigmas say. (Estimated ones are a hundredth of the motion for now.)
+   logical function looks_good(model, squares)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: squares
+      integer :: free
+
+      free = max(1, size(model%used) - size(model%motion%of))
+      looks_good = squares < free*(1.3_wp + 6/sqrt(real(free, wp)))
+   end function looks_good
+
+   !> Follows a start: stage 1 over the first periods, stage 2 from there to all data.
+   subroutine follow(model, place, x, stage, minimum, period)
+      type(model_type), intent(inout) :: model
+      type(place_type), intent(inout) :: place
+      real(wp), intent(inout) :: x(:)
+      integer, intent(in) :: stage
+      type(minimum_type), intent(out) :: minimum
+      real(wp), intent(out) :: period
+      real(wp) :: first, last, until, number(3, size(settings)), rates(size(x)), scale, growth
+      logical :: was_exact, is_last
+      integer :: rows, window
+      integer, parameter :: most_rows = 300
+
+      model%motion%number = place%number
+      period = 2*acos(-1.0_wp)*sqrt(place%number(1, setting_place(pendulum_group, 'length'))/place%number(1, &
+         setting_place(pendulum_group, 'gravity')))
+      first = minval(model%all%time, model%all%time > -huge(first))
+      last = maxval(model%all%time)
+      if (.not. last > -huge(last)) first = last
+      was_exact = model%motion%is_exact
+      until = first + 2.5_wp*period
+      if (stage == 2) until = first + 6*period
+      ! Enough measurements to say something.
+      scale = 1
+      rows = 4*size(x) + 8
+      growth = 2.7_wp
+      if (all(is_event(model%all%column))) then
+         ! An amplitude that decays changes the period: a few more events at a time.
+         rows = 2*size(x) + 2
+         growth = 1.5_wp
+         until = first + 1.5_wp*period
+      end if
+      do while (count(model%all%time <= until .and. model%all%time > -huge(first)) < rows .and. until < last)
+         scale = 1.5_wp*scale
+         until = first + 2.5_wp*scale*period
+      end do
+      do window = 1, 40
+         is_last = until >= last .or. window == 40
+         if (stage == 1 .and. is_last) is_last = .false.
+         rows = count(model%all%time <= until)
+         if (is_last) then
+            call use_until(model, huge(1.0_wp), 1)
+         else
+            call use_until(model, until, max(1, rows/max(most_rows, 12*size(x))))
+         end if
+         call place_at(model%motion, x)
+         model%motion%is_exact = was_exact .or. stage == 1
+         call set_tolerance(model, is_last)
+         if (.not. is_last) then
+            allocate (model%pull(size(x)), model%pull_to(size(x)))
+            model%pull = merge(10.0_wp, 3.0_wp, model%motion%of%form == form_logarithm)
+            model%pull_to = x
+            model%residuals = model%residuals + size(x)
+         end if
+         if (is_last .and. stage == 2 .and. size(model%used) > 3000) then
+            ! Nearly there by one row in some; what is left is a step or two.
+            call use_until(model, huge(1.0_wp), max(1, size(model%used)/1500))
+            call minimise(model, x, minimum, 1e-6_wp, 30)
+            if (minimum%squares < huge(1.0_wp)) then
+               call rebase(model, x)
+            end if
+            call use_until(model, huge(1.0_wp), 1)
+         end if
+         call minimise(model, x, minimum, merge(1e-7_wp, 1e-4_wp, is_last), merge(100, 40, is_last))
+         if (.not. is_last) deallocate (model%pull, model%pull_to)
+         model%motion%is_exact = was_exact
+         if (.not. minimum%squares < huge(1.0_wp)) return
+         call numbers_of_start(model%motion, x, number, rates)
+         place%number = number
+         model%motion%number = number
+         if (is_last .or. stage == 1) exit
+         until = first + growth*(until - first)
+      end do
+   end subroutine follow
+
+   !> Coordinates around where x is now.
+   subroutine rebase(model, x)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(inout) :: x(:)
+      real(wp) :: number(3, size(settings)), rates(size(x))
+
+      call numbers_of_start(model%motion, x, number, rates)
+      model%motion%number = number
+      call place_at(model%motion, x)
+   end subroutine rebase
+
+   subroutine numbers_of_start(motion, x, number, rates)
+      type(unknowns_type), intent(in) :: motion
+      real(wp), intent(in) :: x(:)
+      real(wp), intent(out) :: number(:, :), rates(:)
+      type(physics_type) :: physics
+      logical :: failed
+
+      call numbers_at(motion, x, number, rates)
+      call physics_at(motion, x, number, physics, failed)
+   end subroutine numbers_of_start
+
+   !> A step's tolerance far below the sigmas.
+   subroutine set_tolerance(model, is_last)
+      type(model_type), intent(inout) :: model
+      logical, intent(in) :: is_last
+      real(wp) :: part
+      integer :: i
+
+      part = 1
+      do i = 1, size(model%all)
+         associate (one => model%all(i))
+            if (one%column <= column_z) part = min(part, one%sigma/model%motion%number(1, &
+               setting_place(pendulum_group, &
+               'length')))
+            if (one%column == column_u .or. one%column == column_v) part = min(part, 1e-3_wp)
+            if (one%column == column_azimuth .or. one%column == column_angle .or. one%column == column_plane) &
+               part = min(part, one%sigma)
+            if (is_event(one%column)) part = min(part, 0.1_wp*one%sigma)
+         end associate
+      end do
+      model%motion%tolerance = max(1e-12_wp, min(1e-8_wp, merge(1e-6_wp, 1e-5_wp, is_last)*part))
+   end subroutine set_tolerance
+
+   !> One more search from x over everything, for sigmas, delays or data that changed.
+   subroutine minimise_all(model, x, minimum)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(inout) :: x(:)
+      type(minimum_type), intent(out) :: minimum
+
+      call use_until(model, huge(1.0_wp), 1)
+      call set_tolerance(model, .true.)
+      call minimise(model, x, minimum, 1e-7_wp, 100)
+      if (minimum%squares < huge(1.0_wp)) call rebase(model, x)
+   end subroutine minimise_all
+
+end module kyvadlo_fit_search

@@ -1,0 +1,189 @@
+!> Least squares: what a problem must tell, and its minimum next to a start, by GSL's trust region.
+module kyvadlo_least_squares
+   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funloc, c_funptr, c_int, c_loc, c_ptr, c_size_t
+   use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_lapack, only: dgesvd
+   implicit none
+   private
+   public :: least_squares_type, minimise, minimum_type
+
+   !> Residuals as functions of unknowns.
+   type, abstract :: least_squares_type
+      integer :: residuals = 0, unknowns = 0
+   contains
+      procedure(evaluate_problem), deferred :: evaluate
+   end type least_squares_type
+
+   abstract interface
+      !> Residuals, in units of their standard deviations, and their derivatives if asked for.
+      subroutine evaluate_problem(problem, x, f, failed, jacobian)
+         import :: least_squares_type, wp
+         class(least_squares_type), intent(inout) :: problem
+         real(wp), intent(in) :: x(:)                       !! (unknowns)
+         real(wp), intent(out) :: f(:)                      !! (residuals)
+         logical, intent(out) :: failed                     !! There are none at x
+         real(wp), intent(out), optional :: jacobian(:, :)  !! (unknowns, residuals)
+      end subroutine evaluate_problem
+   end interface
+
+   !> How a search for a minimum ended.
+   type :: minimum_type
+      logical :: is_found = .false.
+      real(wp) :: squares = huge(1.0_wp)                    !! Sum of the squares of the residuals
+      integer :: iterations = 0
+   end type minimum_type
+
+   !> What GSL hands on to the two procedures below.
+   type :: holder_type
+      class(least_squares_type), pointer :: problem => null()
+      logical :: has_begun = .false.
+   end type holder_type
+
+   interface
+      function gsl_least_squares(n, p, x, residuals, jacobian, params, most, xtol, gtol, ftol, by_cholesky, &
+            accelerate, iterations, info) bind(c, name='kyvadlo_gsl_least_squares') result(status)
+         import :: c_double, c_funptr, c_int, c_ptr, c_size_t
+         integer(c_size_t), value :: n, p
+         real(c_double), intent(inout) :: x(*)
+         type(c_funptr), value :: residuals, jacobian
+         type(c_ptr), value :: params
+         integer(c_int), value :: most, by_cholesky, accelerate
+         real(c_double), value :: xtol, gtol, ftol
+         integer(c_int), intent(out) :: iterations, info
+         integer(c_int) :: status
+      end function gsl_least_squares
+   end interface
+
+   !> GSL_EMAXITER; GSL_ENOPROG: no step makes the sum less, which at a minimum found to rounding is as it should be.
+   integer(c_int), parameter :: status_most = 11, status_no_progress = 27
+   !> Of residuals where there are none: so large that no step there is taken.
+   real(wp), parameter :: far = 1e30_wp
+
+contains
+
+   !> Moves x to the minimum next to it.
+   subroutine minimise(problem, x, minimum, tolerance, most)
+      class(least_squares_type), intent(inout), target :: problem
+      real(wp), intent(inout) :: x(:)
+      type(minimum_type), intent(out) :: minimum
+      real(wp), intent(in) :: tolerance                     !! Of a step, of the unknowns
+      integer, intent(in) :: most                           !! Iterations
+      type(holder_type), target :: holder
+      real(wp) :: f(problem%residuals), before(size(x))
+      integer(c_int) :: status, iterations, info
+      logical :: failed
+      integer, parameter :: many = 3000                     !! Residuals from which on the normal equations pay
+
+      before = x
+      call problem%evaluate(x, f, failed)
+      if (failed .or. problem%residuals < size(x)) return
+      holder%problem => problem
+      status = gsl_least_squares(int(problem%residuals, c_size_t), int(size(x), c_size_t), x, &
+         c_funloc(give_residuals), &
+         c_funloc(give_jacobian), c_loc(holder), int(most, c_int), tolerance, 1e-10_wp, 1e-14_wp, &
+         merge(1_c_int, 0_c_int, problem%residuals > many), 1_c_int, iterations, info)
+      minimum%iterations = int(iterations)
+      call problem%evaluate(x, f, failed)
+      if (failed .or. .not. sum(f**2) <= huge(1.0_wp)) then
+         x = before
+         return
+      end if
+      minimum%squares = sum(f**2)
+      if (status /= 0 .and. status /= status_no_progress .and. status /= status_most) return
+      call polish(problem, x, minimum)
+   end subroutine minimise
+
+   !> Gauss's steps by singular values from where the trust region ended: in a long valley its tests are met early. A
+   !> minimum is where such a step would lower the sum by less than a thousandth of a squared sigma.
+   subroutine polish(problem, x, minimum)
+      class(least_squares_type), intent(inout) :: problem
+      real(wp), intent(inout) :: x(:)
+      type(minimum_type), intent(inout) :: minimum
+      integer, parameter :: most_steps = 30, most_halves = 12
+      real(wp), parameter :: small = 1e-3_wp, tiny_part = 1e-9_wp
+      real(wp), allocatable :: jacobian(:, :), f(:)
+      real(wp) :: normal(size(x), size(x)), s(size(x)), u(1, 1), vt(size(x), size(x)), work(20*size(x)), g(size(x))
+      real(wp) :: scale(size(x)), step(size(x)), y(size(x)), decrement, before, part, squares
+      integer :: i, k, p, info
+      logical :: failed
+
+      p = size(x)
+      allocate (jacobian(p, problem%residuals), f(problem%residuals))
+      do i = 1, most_steps
+         call problem%evaluate(x, f, failed, jacobian)
+         minimum%is_found = .false.
+         if (failed) return
+         before = sum(f**2)
+         minimum%squares = before
+         ! Normal equations of columns of length 1; what they cannot tell apart the sigmas call a valley.
+         do k = 1, p
+            scale(k) = max(norm2(jacobian(k, :)), tiny(1.0_wp)**0.25_wp)
+         end do
+         jacobian = jacobian/spread(scale, 2, problem%residuals)
+         normal = matmul(jacobian, transpose(jacobian))
+         g = matmul(jacobian, f)
+         call dgesvd('N', 'A', p, p, normal, p, s, u, 1, vt, p, work, size(work), info)
+         if (info /= 0) return
+         g = matmul(vt, g)
+         where (s > tiny_part*s(1))
+            step = g/s
+         elsewhere
+            step = 0
+         end where
+         decrement = dot_product(step, g)
+         minimum%is_found = decrement < small*max(1.0_wp, before/problem%residuals)
+         if (decrement < 1e-3_wp*small) return
+         step = matmul(step, vt)/scale
+         part = 1
+         do k = 1, most_halves
+            y = x - part*step
+            failed = .not. all(abs(y) < far)
+            if (.not. failed) call problem%evaluate(y, f, failed)
+            squares = huge(squares)
+            if (.not. failed) squares = sum(f**2)
+            if (squares < before) exit
+            part = part/2
+         end do
+         if (.not. squares < before) return
+         x = y
+         minimum%squares = squares
+         minimum%iterations = minimum%iterations + 1
+         if (before - squares < 1e-12_wp*before) return
+      end do
+   end subroutine polish
+
+   function give_residuals(x, f, params) bind(c) result(status)
+      type(c_ptr), value :: x, f, params
+      integer(c_int) :: status
+      type(holder_type), pointer :: holder
+      real(c_double), pointer :: unknowns(:), residuals(:)
+      logical :: failed
+
+      call c_f_pointer(params, holder)
+      call c_f_pointer(x, unknowns, [holder%problem%unknowns])
+      call c_f_pointer(f, residuals, [holder%problem%residuals])
+      failed = .not. all(abs(unknowns) < far)
+      if (.not. failed) call holder%problem%evaluate(unknowns, residuals, failed)
+      if (.not. failed) failed = .not. sum(abs(residuals)) < far
+      if (failed) residuals = far
+      status = 0
+   end function give_residuals
+
+   function give_jacobian(x, j, params) bind(c) result(status)
+      type(c_ptr), value :: x, j, params
+      integer(c_int) :: status
+      type(holder_type), pointer :: holder
+      real(c_double), pointer :: unknowns(:), matrix(:, :)
+      real(wp), allocatable :: f(:)
+      logical :: failed
+
+      call c_f_pointer(params, holder)
+      call c_f_pointer(x, unknowns, [holder%problem%unknowns])
+      call c_f_pointer(j, matrix, [holder%problem%unknowns, holder%problem%residuals])
+      allocate (f(holder%problem%residuals))
+      call holder%problem%evaluate(unknowns, f, failed, matrix)
+      if (.not. failed) failed = .not. all(abs(matrix) <= huge(1.0_wp))
+      status = merge(1_c_int, 0_c_int, failed)
+   end function give_jacobian
+
+end module kyvadlo_least_squares
