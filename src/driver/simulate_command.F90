@@ -103,14 +103,14 @@ contains
          end if
       end do
       if (is_netcdf_name(option_value(arguments, '--output', ''))) then
-#if defined(KYVADLO_WITH_NETCDF) || defined(KYVADLO_DATA_PROGRAM)
+#if defined(KYVADLO_WITH_NETCDF) || defined(KYVADLO_NETCDF_ELSEWHERE)
          if (option_given(arguments, '--events')) then
             call fail(error, code_input, 'option --events: a NetCDF file has the events in it')
             return
          end if
 #endif
 #ifdef KYVADLO_WITH_NETCDF
-#elif defined(KYVADLO_DATA_PROGRAM)
+#elif defined(KYVADLO_NETCDF_ELSEWHERE)
          call become_program(KYVADLO_DATA_PROGRAM, 'NetCDF', error)
          return
 #else
