@@ -152,7 +152,7 @@ contains
       end do
    end subroutine polish
 
-   function give_residuals(x, f, params) bind(c) result(status)
+   function give_residuals(x, f, params) bind(c, name='') result(status)
       type(c_ptr), value :: x, f, params
       integer(c_int) :: status
       type(holder_type), pointer :: holder
@@ -169,7 +169,7 @@ contains
       status = 0
    end function give_residuals
 
-   function give_jacobian(x, j, params) bind(c) result(status)
+   function give_jacobian(x, j, params) bind(c, name='') result(status)
       type(c_ptr), value :: x, j, params
       integer(c_int) :: status
       type(holder_type), pointer :: holder

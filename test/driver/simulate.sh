@@ -94,7 +94,7 @@ checks=$((checks + 1))
 [ "$(wc -l <four)" -eq 100001 ] || complain '100001 lines expected'
 
 # To an accuracy: places within it of those with all digits, and a word about how. Quadruple precision takes its time, and the
-# numbers as they are typed, from which the doubles of the other runs are off by up to 1e-16.
+# numbers as they are typed, from which the doubles of the other runs are off by up to 1e-16 (1e-12 after 1000 s).
 sed 's/samples=100000/samples=200/' long.nml >short.nml
 run simulate short.nml
 mv out fine
@@ -107,7 +107,7 @@ for accuracy in 1e-3 1e-6 1e-10 $(! has_quad || echo 1e-25); do
    grep -q '^path: .*(real' err || complain 'the kind expected'
    checks=$((checks + 1))
    paste -d , fine coarse | awk -F, -v a=$accuracy 'NR > 1 { d = ($2 - $9)^2 + ($3 - $10)^2 + ($4 - $11)^2
-      if (!(d <= a*a + 1e-26)) { print d; exit 1 } }' >out || complain "places off by more than $accuracy"
+      if (!(d <= a*a + 1e-24)) { print d; exit 1 } }' >out || complain "places off by more than $accuracy"
 done
 fails 2 "option --accuracy must be at least $finest for a scene in closed form" simulate plane.nml --accuracy 1e-40
 
