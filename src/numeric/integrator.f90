@@ -334,7 +334,7 @@ contains
       associate (p => run%stepper%problem%base + run%stepper%y(1:3), v => run%stepper%y(4:6))
          run%azimuth = turned_azimuth(p(1), p(2), v(1), v(2), run%azimuth)
       end associate
-      if (.not. abs(run%first_azimuth) <= huge(run%azimuth)) run%first_azimuth = run%azimuth
+      if (.not. is_finite(run%first_azimuth)) run%first_azimuth = run%azimuth
    end subroutine turn_azimuth
 
    !> No polynomial goes beyond here.

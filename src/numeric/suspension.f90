@@ -58,6 +58,10 @@ contains
 
       if (suspension%is_sphere) then
          distance = sqrt(dot_product(position, position))
+         outward = 0
+         bending = 0
+         ! At the pivot no direction is outward.
+         if (.not. distance > 0) return
          outward = position/distance
          rate = dot_product(outward, velocity)
          bending = (dot_product(velocity, velocity) - rate**2)/distance

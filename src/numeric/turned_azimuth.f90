@@ -1,6 +1,7 @@
 !> The azimuth of a bob that is followed from position to position, whole turns counted.
 module kyvadlo_turned_azimuth
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers_real64, only: is_finite
    implicit none
    private
    public :: turned_azimuth, is_upright
@@ -27,7 +28,7 @@ contains
       else
          return
       end if
-      if (abs(before) <= huge(before)) azimuth = azimuth - two_pi*anint((azimuth - before - close_to_half)/two_pi)
+      if (is_finite(before)) azimuth = azimuth - two_pi*anint((azimuth - before - close_to_half)/two_pi)
    end function turned_azimuth
 
    !> Whether a horizontal vector has no direction.

@@ -13,7 +13,7 @@ module kyvadlo_derivatives_real64
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count
    use kyvadlo_batch_constants, only: block_size
-   use kyvadlo_numbers_real64, only: is_nan, quiet_nan
+   use kyvadlo_numbers_real64, only: is_finite, is_nan, quiet_nan
    use kyvadlo_pairs_real64
    use kyvadlo_status, only: error_type
 #define has_kernel
@@ -31,7 +31,7 @@ module kyvadlo_derivatives_real128
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count
    use kyvadlo_batch_constants, only: block_size
-   use kyvadlo_numbers_real128, only: is_nan, quiet_nan
+   use kyvadlo_numbers_real128, only: is_finite, is_nan, quiet_nan
    use kyvadlo_pairs_real128
    use kyvadlo_status, only: error_type
 #include "derivatives.inc"

@@ -5,7 +5,7 @@
 !> and times the coefficient of restitution, and swings on, or flies on.
 module kyvadlo_string
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_numbers, only: is_finite, quiet_nan_real64
+   use kyvadlo_numbers, only: is_finite, is_nan, quiet_nan_real64
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_cubic, only: cubic_roots
    use kyvadlo_orbit, only: orbit_type
@@ -110,7 +110,8 @@ contains
             call arrive(motion, restitution, piece, event, error)
             if (allocated(error)) return
          end if
-         if (.not. event%time <= duration) exit
+         if (is_nan(event%time)) exit
+         if (event%time > duration) exit
          count = count + 1
          call append_event(motion%events, count, event)
       end do
@@ -165,7 +166,7 @@ contains
       after = piece%orbit%time_to_height(2*piece%orbit%energy()/(3*motion%gravity))
       event%kind = event_slack
       event%time = piece%start + after
-      if (.not. after >= 0) return
+      if (is_nan(after)) return
       call piece%orbit%locate(after, event%position, piece%velocity)
       if (.not. piece%velocity(3) > 0) then
          ! A swing that only touches zero tension at its highest point stays taut.

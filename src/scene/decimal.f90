@@ -53,6 +53,7 @@ contains
       logical :: is_even, is_power_of_two, is_half, ends_above, ends_below
 
       length = 0
+      if (value /= value) return
       if (.not. (abs(value) >= smallest .and. abs(value) < largest)) return
       m = int(scale(fraction(abs(value)), bits), int64)
       order = floor((exponent(value) - 1)*log10_of_two)   ! that of the value, or one less: -14 to 14

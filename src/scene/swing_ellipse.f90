@@ -45,16 +45,15 @@ contains
       real(wp) :: length, since, rate, line, along(3)
       logical :: is_circle, is_rotation
 
+      ellipse = ellipse_type(quiet_nan_real64, quiet_nan_real64, quiet_nan_real64, quiet_nan_real64)
       length = norm2(position)
+      if (.not. length > 0) return
       along = velocity - dot_product(velocity, position/length)*(position/length)
       call new_orbit_from_state(orbit, length, gravity, position, along, error)
-      if (allocated(error)) then
-         ellipse = ellipse_type(quiet_nan_real64, quiet_nan_real64, quiet_nan_real64, quiet_nan_real64)
-         return
-      end if
+      if (allocated(error)) return
       ellipse%major = sqrt(orbit%turning%upper_rise*orbit%turning%upper_gap)
       ellipse%minor = sqrt(orbit%turning%lower_rise*orbit%turning%lower_gap)
-      ellipse%plane = quiet_nan_real64
+      ellipse%handedness = 0
       is_circle = abs(ellipse%major - ellipse%minor) <= noise*ellipse%major
       is_rotation = orbit%energy() > gravity*length .and. ellipse%minor <= noise*length
       if (is_rotation .or. ellipse%minor <= noise*ellipse%major) ellipse%minor = 0

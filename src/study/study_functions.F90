@@ -105,22 +105,20 @@ contains
    function functions_error(work) result(error)
       class(functions_work_type), intent(in) :: work
       real(real64) :: error
-      real(real128) :: found(calls, 4), errors(calls, 4)
+      real(real128), dimension(calls, work%columns) :: found, errors
 
       select case (work%method)
       case (single)
-         found = work%out_single
+         found = work%out_single(:, :work%columns)
       case (quad)
-         found = work%out_quad
+         found = work%out_quad(:, :work%columns)
       case default
-         found = work%out
+         found = work%out(:, :work%columns)
       end select
-      errors = abs(found - work%exact)
-      if (work%columns == 1) errors = errors/abs(work%exact)
-      associate (used => errors(:, :work%columns))
-         error = real(maxval(used), real64)
-         if (.not. all(ieee_is_finite(used))) error = ieee_value(error, ieee_quiet_nan)
-      end associate
+      errors = abs(found - work%exact(:, :work%columns))
+      if (work%columns == 1) errors = errors/abs(work%exact(:, :1))
+      error = ieee_value(error, ieee_quiet_nan)
+      if (all(ieee_is_finite(errors))) error = real(maxval(errors), real64)
    end function functions_error
 
 end module kyvadlo_study_functions

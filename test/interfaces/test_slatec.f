@@ -3,13 +3,14 @@ C     Values: Carlson, Numer. Algorithms 10 (1995) 13, section 3, to the
 C     14 digits printed there; PI and LOG(2) for DRC. Error numbers,
 C     limits: the prologues of SLATEC 4.1.
       PROGRAM TSLATC
-      DOUBLE PRECISION DRC, DRF, DRD, DRJ, R, ZERO, XNAN, XLIM
+      DOUBLE PRECISION DRC, DRF, DRD, DRJ, R, XNAN, XLIM
       REAL RC, RF, RD, RJ, S, SLIM
       INTEGER IER, NFAIL
+      CHARACTER*3 TEXT
       COMMON /COUNT/ NFAIL
       NFAIL = 0
-      ZERO = 0.0D0
-      XNAN = ZERO/ZERO
+      TEXT = 'NaN'
+      READ (TEXT, '(F3.0)') XNAN
       R = DRC(0.0D0, 0.25D0, IER)
       CALL VALUE('DRC 1', R, IER, 3.14159265358979D0)
       R = DRC(2.25D0, 2.0D0, IER)
