@@ -150,6 +150,7 @@ contains
 #endif
    end subroutine run
 
+#ifdef KYVADLO_SWEEP_NETCDF
    !> The options that go on with the same work.
    function resume_words(arguments) result(words)
       type(arguments_type), intent(in) :: arguments
@@ -159,6 +160,7 @@ contains
       if (option_given(arguments, '--part')) words = words//' --part '//option_value(arguments, '--part', '')
       words = words//' --resume'
    end function resume_words
+#endif
 
    !> Reads plan and options. Errors are those of every rank.
    subroutine read_request(arguments, ranks, plan, request, error)

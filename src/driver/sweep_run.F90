@@ -19,7 +19,7 @@ module kyvadlo_sweep_run
    public :: sweep_file_type
 
    type :: sweep_file_type
-      integer :: unused = 0
+      integer(int64) :: chunks_done = 0   !! None: there is no file
    end type sweep_file_type
 #endif
 
@@ -103,7 +103,7 @@ contains
                is_done = marks(chunk - first_mark + 1) == 1
             end if
 #else
-            is_done = is_resumed .and. .false.
+            is_done = is_resumed .and. file%chunks_done > chunk
 #endif
             if (.not. is_done) return
          end do

@@ -96,11 +96,11 @@ contains
 #ifdef KYVADLO_WITH_GSL
       call new_pivot_table(effects, rows(1, :count), rows(2:, :count), error)
       if (allocated(error)) error%message = path//': '//error%message
-      if (.not. allocated(error)) call look_for_step(path, rows(:, :count), note)
 #else
       ! Enough to say that there is one: without the integrator nothing comes of it.
       effects%pivot_times = rows(1, :count)
 #endif
+      if (.not. allocated(error)) call look_for_step(path, rows(:, :count), note)
    end subroutine read_table
 
    !> A spline overshoots far beside a step: where the pivot is a thousand times as fast as on the average.
