@@ -7,6 +7,7 @@ module kyvadlo_sweep_command
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text
    use kyvadlo_ranks
+   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_standard_io, only: is_terminal, message
    use kyvadlo_status, only: code_file, code_input, code_unsupported, error_type, fail
 #ifdef KYVADLO_SWEEP_NETCDF
@@ -206,7 +207,8 @@ contains
       path = arguments%operands(1)%text
       code = 0
       if (ranks%rank == 0) then
-         call read_file(path, text, error)
+         call compare_files(arguments, error)
+         if (.not. allocated(error)) call read_file(path, text, error)
          if (allocated(error)) code = error%code
       end if
       call share_number(code)
@@ -228,6 +230,21 @@ contains
       if (option_given(arguments, '--part') .and. .not. allocated(error)) &
          call read_part(option_value(arguments, '--part', ''), plan%cut%chunks, request, error)
    end subroutine read_request
+
+   !> No output destroys the plan or a part.
+   subroutine compare_files(arguments, error)
+      type(arguments_type), intent(in) :: arguments
+      type(error_type), allocatable, intent(out) :: error
+      type(run_files_type) :: files
+      integer :: i
+
+      do i = 1, size(arguments%operands)
+         call add_input(files, merge('the plan', 'a part  ', i == 1), arguments%operands(i)%text)
+      end do
+      if (option_given(arguments, '--output')) call add_output(files, 'option --output', &
+         option_value(arguments, '--output', ''))
+      call check_files(files, error)
+   end subroutine compare_files
 
    !> `I/N`: the chunks of part I of N, which follow each other.
    subroutine read_part(text, chunks, request, error)
@@ -319,7 +336,9 @@ contains
                return
             end if
             call open_sweep_file(plan, worker%bins, request%output, .false., file)
-            if (file%is_whole .and. .not. file%is_of_plan) then
+            if (file%is_opened .and. .not. file%is_whole) then
+               call fail(error, code_file, request%output//' is no file of kyvadlo sweep')
+            else if (file%is_whole .and. .not. file%is_of_plan) then
                call fail(error, code_file, request%output//' is of another plan, or of another build of kyvadlo')
             else if (file%is_of_plan) then
                is_finished = is_sweep_finished(file)
@@ -327,7 +346,7 @@ contains
             end if
             call close_sweep_file(file, ignored)
             if (allocated(error) .or. file%is_of_plan) return
-            ! The header was never finished.
+            ! Its header was never finished.
          end if
       end if
       request%is_resumed = .false.

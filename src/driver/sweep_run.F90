@@ -61,6 +61,7 @@ contains
       progress%last_line = progress%start
       !$omp parallel num_threads(threads) default(shared) private(worker, found, chunk, goes_on)
       call new_worker(plan, worker)
+      found%count = -1   ! A private copy may lack what its type begins with.
       goes_on = .true.
       do while (goes_on)
          !$omp critical (kyvadlo_sweep_calls)

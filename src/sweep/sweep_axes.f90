@@ -83,7 +83,7 @@ contains
                call number_of(group, entry, axis%mean, error)
                axis%has_mean = .true.
             case ('deviation')
-               allocate (axis%covariance(1))
+               axis%covariance = [0.0_wp]
                call number_of(group, entry, axis%covariance(1), error)
                axis%covariance = axis%covariance**2
             case ('count')
@@ -334,10 +334,12 @@ contains
                end if
                rest = rest - dot_product(factor(i, :j - 1), factor(j, :j - 1))
                if (i == j) then
-                  is_definite = is_definite .and. rest >= 0
+                  is_definite = is_definite .and. rest >= -n*epsilon(rest)*abs(row(min(i, size(row))))
                   factor(i, i) = sqrt(max(rest, 0.0_wp))
                else if (factor(j, j) > 0) then
                   factor(i, j) = rest/factor(j, j)
+               else
+                  is_definite = is_definite .and. abs(rest) <= n*epsilon(rest)*abs(row(min(i, size(row))))
                end if
             end do
          end associate

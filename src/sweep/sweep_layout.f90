@@ -32,6 +32,7 @@ module kyvadlo_sweep_layout
       integer, allocatable :: edges(:, :)        !! (2, histogram): lower and upper edges of the bins
       integer :: status = 0, mark = 0, reduction = 0, complete = 0, status_points = 0
       logical, public :: is_of_plan = .false.    !! Plan, version and flags are those of this run
+      logical, public :: is_opened = .false.     !! It is a NetCDF file
       logical, public :: is_whole = .false.      !! Every variable is there
    end type sweep_file_type
 
@@ -243,6 +244,7 @@ contains
       allocate (file%histograms(6, size(bins)), source=0)
       call open_netcdf(file%nc, path, is_written)
       call check_netcdf(file%nc, path, error)
+      file%is_opened = .not. allocated(error)
       if (allocated(error)) return
       call find_variable(file%nc, 'complete', file%complete)
       call find_variable(file%nc, 'chunk_done', file%mark)

@@ -44,6 +44,14 @@ fails 2 'a plan with &histogram needs --output FILE.nc' sweep plan.nml
 fails 2 'sweep needs one plan' sweep
 fails 2 'options --resume, --part and --merge need --output FILE.nc' sweep plan.nml --resume
 
+plan '&axis name="length", random="normal", count=2, covariance=1, deviation=1 /' '&measure quantities="T" /'
+fails 2 'plan.nml:2: &axis: ' sweep plan.nml
+plan '&axis name="length", values=1 /' '&measure quantities="T" /'
+cp plan.nml same.nml
+fails 2 'the plan and option --output are one file' sweep plan.nml --output plan.nml --force
+checks=$((checks + 1))
+cmp -s plan.nml same.nml || complain 'the plan must stay'
+
 # Axes together run side by side; others multiply, the last the fastest.
 plan '&axis name="length", values=1,2, together="a" /' '&axis name="gravity", values=9,10 /' \
    '&axis name="z_upper", values=0.1,0.2, together="a" /' '&measure quantities="heights" /'
@@ -57,6 +65,13 @@ expect_out 'length,gravity,z_upper,heights_1,heights_2,status
 [ -n "$with_netcdf" ] || { echo 'no NetCDF in this build: no file tested'; finish; exit; }
 fails 2 'probe.nc is there already' sweep "$plans/periods.nml" --output probe.nc
 cp probe.nc before.nc
+if command -v ncgen >/dev/null; then
+   echo 'netcdf somebody { dimensions: n = 2 ; variables: int n(n) ; data: n = 1, 2 ; }' | ncgen -5 -o theirs.nc
+   cp theirs.nc kept.nc
+   fails 2 'theirs.nc is no file of kyvadlo sweep' sweep "$plans/periods.nml" --output theirs.nc --resume
+   checks=$((checks + 1))
+   cmp -s theirs.nc kept.nc || complain 'the file of somebody else must stay'
+fi
 run sweep "$plans/periods.nml" --output probe.nc --resume
 expect_status 0
 same before.nc probe.nc
