@@ -202,7 +202,7 @@ contains
          else
             call use_until(model, until, max(1, rows/max(most_rows, 12*size(x))))
          end if
-         call place_at(model%motion, x)
+         call place_at(model%motion, x, away=.true.)
          model%motion%is_exact = was_exact .or. stage == 1
          call set_tolerance(model, is_last)
          if (.not. is_last) then

@@ -92,10 +92,11 @@ contains
    end subroutine natural_scales
 
    !> Places the numbers at x = what they are now, around which the start has its coordinates.
-   subroutine place_at(unknowns, x)
+   subroutine place_at(unknowns, x, away)
       type(unknowns_type), intent(inout) :: unknowns
       real(wp), intent(out) :: x(:)
-      real(wp) :: p(3), v(3), e(3), scales(size(x)), value
+      logical, intent(in), optional :: away   !! A search begins a little away from bounds, where nothing has a slope
+      real(wp) :: p(3), v(3), e(3), scales(size(x)), value, off
       type(physics_type) :: physics
       integer :: j, place
 
@@ -123,6 +124,8 @@ contains
       physics%length = unknowns%number(1, setting_place(pendulum_group, 'length'))
       physics%gravity = unknowns%number(1, setting_place(pendulum_group, 'gravity'))
       physics%velocity = 0
+      off = 0
+      if (present(away)) off = merge(1.0_wp, 0.0_wp, away)
       call natural_scales(unknowns, physics, scales)
       do j = 1, size(unknowns%of)
          associate (one => unknowns%of(j))
@@ -139,12 +142,12 @@ contains
                case (form_logarithm)
                   x(j) = log(max(value, tiny(value)))
                case (form_above)
-                  x(j) = sqrt(max(value - one%least, 1e-4_wp*scales(j))/scales(j))
+                  x(j) = sqrt(max(value - one%least, off*1e-4_wp*scales(j))/scales(j))
                case (form_below)
-                  x(j) = sqrt(max(one%most - value, 1e-4_wp*scales(j))/scales(j))
+                  x(j) = sqrt(max(one%most - value, off*1e-4_wp*scales(j))/scales(j))
                case (form_between)
                   value = (value - one%least)/(one%most - one%least)
-                  x(j) = asin(2*min(max(value, 0.02_wp), 0.98_wp) - 1)
+                  x(j) = asin(2*min(max(value, 0.02_wp*off), 1 - 0.02_wp*off) - 1)
                end select
             end if
          end associate

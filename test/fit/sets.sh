@@ -59,4 +59,12 @@ sed "s/length = 0.8/length = 1/; s/free = 'gravity/free = 'length gravity/" ../.
 grep -q '"converged": true' "$scratch/out" || complain 'valley: not converged'
 grep -q '"gravity": {"value": [^ ]*, "sigma": null' "$scratch/out" || complain 'valley: sigma of gravity is not null'
 grep -q 'length[^"]*/gravity' "$scratch/out" || complain 'valley: length/gravity is not undetermined'
+
+# A drag far smaller than a search begins with is found, and not moved away from its bound.
+printf '&pendulum length=1 release_angle=25 /\n&air linear=1e-5 /\n&output duration=300 samples=1501 quantities="position" /\n' |
+   "$kyvadlo" simulate - | awk -F, 'NR == 1 { print "t,x,z"; next }
+      { printf "%s,%.9f,%.9f\n", $1, $2 + 1e-5*sin(NR*NR), $4 + 1e-5*cos(NR*NR*1.7) }' >"$scratch/drag.csv"
+printf '&pendulum length=1 /\n&air linear=1e-3 /\n&fit free="gravity linear position velocity" sigma=1e-5 /\n' >"$scratch/drag.nml"
+"$kyvadlo" fit "$scratch/drag.nml" "$scratch/drag.csv" >"$scratch/out" || complain "small drag: status $?"
+awk '$1 == "linear" { pull = ($2 - 1e-5)/$3; print pull; exit !(pull*pull < 25) }' "$scratch/out" || complain 'small drag'
 exit $((bad > 0))
