@@ -7,6 +7,7 @@ module kyvadlo_fit_command
    use kyvadlo_fit_data, only: fit_data_type, parse_fit_data
    use kyvadlo_fit_report, only: write_fit_csv, write_fit_json, write_fit_text, write_residuals
    use kyvadlo_fit_request, only: fit_request_type, parse_fit_request
+   use kyvadlo_gsl, only: fgsl_error_handler_t, fgsl_set_error_handler_off
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type
 #endif
@@ -28,9 +29,11 @@ contains
       type(fit_data_type) :: data
       type(fit_result_type) :: result
       character(len=:), allocatable :: scene, table
+      type(fgsl_error_handler_t) :: old
       integer :: i
 
       status = 0
+      old = fgsl_set_error_handler_off()   ! A failure is a status, no end of the program.
       if (size(arguments%operands) /= 2) then
          call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
          return

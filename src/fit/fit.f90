@@ -176,10 +176,11 @@ contains
                end associate
                i = i + 1
             end do
-            associate (row => m%all(m%used(first))%row)
+            associate (row => m%all(m%used(first))%row, time => m%all(m%used(first))%time)
+               if (m%all(m%used(first))%time_place == 0) cycle
                if (.not. m%time_sigma(row) > 0) cycle
                row_delay = m%delay(row) - m%time_sigma(row)*(up + m%delay(row)/m%time_sigma(row))/down
-               if (m%times(1) + row_delay >= 0 .or. m%motion%is_exact) m%delay(row) = row_delay
+               if (time + row_delay >= 0 .or. m%motion%is_exact) m%delay(row) = row_delay
             end associate
          end do
       end associate
