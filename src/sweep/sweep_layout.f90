@@ -74,7 +74,7 @@ contains
          associate (d => plan%dimension_of(i), axis => plan%axes(i))
             if (.not. plan%stores_values .and. axis%count > most_coordinates) cycle
             call define_variable(file%nc, axis%variable, .false., [dimensions(size(dimensions) + 1 - d)], file%axes(i))
-            call put_text(file%nc, file%axes(i), 'units', udunits(trim(settings(plan%targets(i)%setting)%unit)))
+            call put_text(file%nc, file%axes(i), 'units', trim(udunits(settings(plan%targets(i)%setting)%unit)))
             call put_text(file%nc, file%axes(i), 'long_name', trim(settings(plan%targets(i)%setting)%meaning))
             if (axis%variable /= plan%dimensions(d)%name) auxiliary = auxiliary//' '//axis%variable
          end associate
@@ -150,10 +150,10 @@ contains
       call check_netcdf(file%nc, 'cannot write '//path, error)
    end subroutine create_sweep_file
 
-   !> A unit of the table of settings as UDUNITS writes it.
+   !> A unit of the table of settings as UDUNITS writes it, blanks behind.
    pure function udunits(unit) result(text)
       character(len=*), intent(in) :: unit
-      character(len=:), allocatable :: text
+      character(len=8) :: text
 
       select case (unit)
       case ('')
