@@ -80,6 +80,14 @@ module kyvadlo_commands
       option_type('fit', '--output', 'FILE', 'write FILE instead of standard output; it appears when it is whole'), &
       option_type('fit', '--format', 'text|csv|json', 'layout of the output (default text)'), &
       option_type('fit', '--residuals', 'FILE', 'measured, model and residual of every number, as CSV'), &
+      option_type('fit', '--plot', 'FILE', &
+         'draw FILE, .svg or .png, by gnuplot: data, model, residuals; beside it script and data'), &
+      option_type('fit', '--explain', '', &
+         'first say what is fitted, where the search begins and what it costs (standard error)'), &
+      option_type('fit', '--profile', '', 'intervals by profile likelihood: chi2 grows by 1 at their ends'), &
+      option_type('fit', '--bootstrap', 'N', 'intervals by N fits of rows drawn anew, 20 to 1000000'), &
+      option_type('fit', '--seed', 'N', 'of --bootstrap (default 1): the same seed draws the same rows'), &
+      option_type('fit', '--threads', 'N', 'that share --profile or --bootstrap (default 1; 0: all there are)'), &
       option_type('eval', '--kind', 'single|double|quad', 'kind of the numbers, read and computed (default double)'), &
       option_type('eval', '--modulus', '', 'arguments m and mc are given as their roots, the moduli k and k'''), &
       option_type('eval', '--list', '', 'print every NAME with its arguments, results and domain'), &
@@ -124,6 +132,11 @@ module kyvadlo_commands
          'the same bytes, by 16 processes; what is done is kept'), &
       example_type('fit', 'kyvadlo fit examples/fits/foucault.nml examples/fits/foucault.csv', &
          'what the &fit group of the scene calls free'), &
+      example_type('fit', 'kyvadlo fit examples/fits/laboratory.nml examples/fits/laboratory.csv --profile', &
+         'and an interval for each number that need not be symmetric'), &
+      example_type('fit', &
+         'kyvadlo fit examples/fits/laboratory.nml examples/fits/laboratory.csv --explain', &
+         'what is fitted, and what it costs, said before'), &
       example_type('study', 'kyvadlo study --quick', 'which method is the cheapest at 1e-3, 1e-6 ...'), &
       example_type('study', 'kyvadlo study --output study', 'the whole record, with pictures'), &
       example_type('study', 'kyvadlo study examples/scenes/laboratory.nml --output laboratory', &

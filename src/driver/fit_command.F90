@@ -1,15 +1,20 @@
 !> The command `fit`: from a scene and measurements to the pendulum, with error bars.
 module kyvadlo_fit_command
-   use kyvadlo_command_line, only: arguments_type, option_given, option_value
+   use kyvadlo_command_line, only: arguments_type, integer_option, option_given, option_value
 #ifdef KYVADLO_WITH_GSL
+   use kyvadlo_explain_fit, only: explain_fit
    use kyvadlo_file_text, only: file_name, read_file
-   use kyvadlo_fit, only: fit_measurements, fit_result_type
+   use kyvadlo_fit, only: check_fit, fit_measurements, fit_result_type
    use kyvadlo_fit_data, only: fit_data_type, parse_fit_data
-   use kyvadlo_fit_report, only: write_fit_csv, write_fit_json, write_fit_text, write_residuals
+   use kyvadlo_fit_intervals, only: find_bootstrap, find_profile
+   use kyvadlo_fit_json, only: write_fit_json
+   use kyvadlo_fit_plot, only: plot_fit
+   use kyvadlo_fit_report, only: write_fit_csv, write_fit_text, write_residuals
    use kyvadlo_fit_request, only: fit_request_type, parse_fit_request
    use kyvadlo_gsl, only: fgsl_error_handler_t, fgsl_set_error_handler_off
+   use kyvadlo_plot_samples, only: check_plot
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
-   use kyvadlo_standard_io, only: close_output, discard_output, message, open_output, output_type
+   use kyvadlo_standard_io, only: close_output, message, open_output, output_type
 #endif
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    implicit none
@@ -30,14 +35,12 @@ contains
       type(fit_result_type) :: result
       character(len=:), allocatable :: scene, table
       type(fgsl_error_handler_t) :: old
-      integer :: i
+      integer :: i, copies, seed, threads
 
       status = 0
       old = fgsl_set_error_handler_off()   ! A failure is a status, no end of the program.
-      if (size(arguments%operands) /= 2) then
-         call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
-         return
-      end if
+      call read_options(error)
+      if (allocated(error)) return
       associate (scene_path => arguments%operands(1)%text, data_path => arguments%operands(2)%text)
          call add_input(files, 'the scene', scene_path)
          call add_input(files, 'the data', data_path)
@@ -47,21 +50,71 @@ contains
          call check_files(files, error)
          if (.not. allocated(error)) call read_file(scene_path, scene, error)
          if (.not. allocated(error)) call parse_fit_request(scene, file_name(scene_path), request, error)
+         if (.not. allocated(error) .and. option_given(arguments, '--plot')) then
+            call check_plot(option_value(arguments, '--plot', ''), request%pendulum%name, files, error)
+            if (.not. allocated(error)) call check_files(files, error)
+         end if
          if (.not. allocated(error)) call read_file(data_path, table, error)
          if (.not. allocated(error)) call parse_fit_data(table, file_name(data_path), data, error)
       end associate
-      if (.not. allocated(error)) call fit_measurements(request, data, result, error)
+      if (.not. allocated(error)) call check_fit(request, data, error)
+      if (allocated(error)) return
+      if (option_given(arguments, '--explain')) call explain_fit(request, data)
+      call fit_measurements(request, data, result, error)
       if (allocated(error)) return
       if (allocated(result%notes)) then
          do i = 1, size(result%notes)
             call message('kyvadlo: '//data%file//': '//result%notes(i)%text)
          end do
       end if
-      if (.not. result%is_converged) status = 1
+      if (result%is_converged) then
+         if (option_given(arguments, '--profile')) call find_profile(result, request, threads)
+         if (copies > 0) call find_bootstrap(result, request, copies, seed, threads)
+      else
+         status = 1
+      end if
       call write_file('--output', error)
       if (.not. allocated(error) .and. option_given(arguments, '--residuals')) call write_file('--residuals', error)
+      if (allocated(error) .or. .not. option_given(arguments, '--plot')) return
+      if (allocated(result%residual)) then
+         call plot_fit(result, request, option_value(arguments, '--plot', ''), error)
+      else
+         call message('kyvadlo: no picture, as there is no fit')
+      end if
 
    contains
+
+      subroutine read_options(error)
+         type(error_type), allocatable, intent(out) :: error
+         character(len=*), parameter :: named(2) = [character(len=11) :: '--output', '--residuals']
+         integer :: i
+
+         if (size(arguments%operands) /= 2) then
+            call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
+            return
+         end if
+         do i = 1, size(named)
+            if (option_given(arguments, trim(named(i))) .and. option_value(arguments, trim(named(i)), '') == '') then
+               call fail(error, code_input, 'option '//trim(named(i))//' needs the name of a file')
+               return
+            end if
+         end do
+         copies = 0
+         seed = 1
+         threads = 1
+         call integer_option(arguments, '--bootstrap', 20, 1000000, copies, error)
+         if (.not. allocated(error)) call integer_option(arguments, '--seed', 0, 999999999, seed, error)
+         if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, threads, error)
+         if (allocated(error)) return
+         if (copies > 0 .and. option_given(arguments, '--profile')) then
+            call fail(error, code_input, 'options --profile and --bootstrap both give intervals; choose one')
+         else if (copies == 0 .and. option_given(arguments, '--seed')) then
+            call fail(error, code_input, 'option --seed is of --bootstrap')
+         else if (copies == 0 .and. .not. option_given(arguments, '--profile') .and. option_given(arguments, &
+            '--threads')) then
+            call fail(error, code_input, 'option --threads shares the work of --profile and --bootstrap')
+         end if
+      end subroutine read_options
 
       subroutine write_file(option, error)
          character(len=*), intent(in) :: option

@@ -34,7 +34,7 @@ module kyvadlo_plot_samples
    end type plot_samples_type
 
    !> How the files beside a picture begin: only what begins so is ever replaced.
-   character(len=*), parameter :: mark = '# Written by kyvadlo simulate'
+   character(len=*), parameter :: mark = '# Written by kyvadlo'
    !> So many samples are drawn at most: the points of a large screen, some times over.
    integer(int64), parameter :: most_drawn = 10000
 
@@ -81,7 +81,7 @@ contains
       plot%stride = max(1_int64, (samples + most_drawn - 2)/(most_drawn - 1))
       call open_output(plot%data, plot%stem//'.dat', error)
       if (allocated(error)) return
-      call plot%data%put(mark//': the samples that are drawn')
+      call plot%data%put(mark//' simulate: the samples that are drawn')
       plot%lines = new_csv_samples(plot%data)
    end subroutine new_plot
 
@@ -157,7 +157,7 @@ contains
 
       name = plot%picture(folder_of(plot%picture) + 1:)
       data = plot%stem(folder_of(plot%stem) + 1:)//'.dat'
-      call script%put(mark//'. In this folder: gnuplot '//data(:len(data) - 4)//'.gp')
+      call script%put(mark//' simulate. In this folder: gnuplot '//data(:len(data) - 4)//'.gp')
       if (name(len(name) - 3:) == '.svg') then
          call script%put('set terminal svg size 1000,800 font "sans,12" background "white"')
       else

@@ -3,11 +3,13 @@
 module kyvadlo_fit
    use, intrinsic :: iso_c_binding, only: c_double
    use kyvadlo_fit_data
+   use kyvadlo_fit_known, only: say_known
    use kyvadlo_fit_model, only: model_type, predict, use_until
    use kyvadlo_fit_motion, only: find_states
    use kyvadlo_fit_physics, only: direction_type, physics_type
    use kyvadlo_fit_places, only: new_model, sigma_groups
    use kyvadlo_fit_request, only: fit_request_type, loss_squares
+   use kyvadlo_fit_result, only: fit_result_type, fitted_type
    use kyvadlo_fit_search, only: minimise_all, search
    use kyvadlo_fit_unknowns, only: form_logarithm, form_plain, numbers_at, physics_at, place_at, unknown_position, &
       unknown_scalar, &
@@ -22,31 +24,7 @@ module kyvadlo_fit
    use kyvadlo_text, only: append, integer_text, text_type
    implicit none
    private
-   public :: fit_result_type, fitted_type, fit_measurements, refit, find_sigmas
-
-   !> A free setting, found.
-   type :: fitted_type
-      character(len=40) :: name = ''
-      integer :: setting = 0, elements = 1, first = 0    !! first: its place among the rows of the covariance
-      real(wp) :: value(3) = 0, sigma(3) = 0
-      logical :: is_known(3) = .true.                    !! Else the data do not tell it
-      real(wp) :: least(3) = 0, most(3) = 0              !! An interval, if one was asked for
-   end type fitted_type
-
-   type :: fit_result_type
-      logical :: is_converged = .false., has_intervals = .false.
-      real(wp) :: chi2 = 0, p_value = 0
-      integer :: dof = 0, iterations = 0
-      type(fitted_type), allocatable :: of(:)
-      real(wp), allocatable :: covariance(:, :)          !! Of all elements of all free settings
-      type(text_type), allocatable :: undetermined(:), notes(:), others(:)
-      logical :: is_estimated(column_period) = .false.   !! Whose sigma was not given
-      real(wp) :: number(3, size(settings)) = 0          !! Of all settings
-      type(model_type) :: model
-      real(wp), allocatable :: x(:), predicted(:), residual(:) !! Of `model%used`, in units and in sigmas
-      real(wp) :: condition = 0                          !! Of the derivatives in natural units
-      character(len=:), allocatable :: known             !! What is known of what is not
-   end type fit_result_type
+   public :: fit_result_type, fitted_type, check_fit, fit_measurements, refit, find_sigmas
 
    interface
       function gsl_gamma_q(a, x) bind(c, name='gsl_sf_gamma_inc_Q') result(q)
@@ -57,6 +35,18 @@ module kyvadlo_fit
    end interface
 
 contains
+
+   !> What can be said against the data, and against the scene for them, before anything is computed.
+   subroutine check_fit(request, data, error)
+      type(fit_request_type), intent(in) :: request
+      type(fit_data_type), intent(in) :: data
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_fit_data(data, error)
+      if (allocated(error)) return
+      if (any(data%has([column_u, column_v])) .and. .not. request%has_camera) call fail(error, code_input, data%file// &
+         ':'//integer_text(data%header_line)//': columns u and v need a &camera group in the scene')
+   end subroutine check_fit
 
    !> Fits. Errors: of the data, with file and line; of a scene that does not go with them. A result without a minimum
    !> has
@@ -71,13 +61,8 @@ contains
       integer :: i, j, k, lines
       character(len=:), allocatable :: text
 
-      call check_fit_data(data, error)
+      call check_fit(request, data, error)
       if (allocated(error)) return
-      if (any(data%has([column_u, column_v])) .and. .not. request%has_camera) then
-         call fail(error, code_input, data%file//':'//integer_text(data%header_line)// &
-            ': columns u and v need a &camera group in the scene')
-         return
-      end if
       call new_model(result%model, request, data, result%is_estimated)
       result%model%find_states => find_states
       call use_until(result%model, huge(1.0_wp), 1)
@@ -252,7 +237,7 @@ contains
       real(wp), parameter :: least_singular = 1, rounding = 1e-11_wp, least_part = 0.3_wp
       real(wp), allocatable :: jacobian(:, :), f(:), matrix(:, :), work(:), d(:, :), spread_of(:, :)
       real(wp) :: s(size(result%x)), vt(size(result%x), size(result%x)), u(1, 1), number(3, size(settings)), natural
-      real(wp) :: part, floor, rates(size(result%x))
+      real(wp) :: part, floor, rates(size(result%x)), growth
       type(model_type) :: model
       type(physics_type) :: physics
       type(direction_type) :: directions(size(result%x))
@@ -346,10 +331,14 @@ contains
          names = ''
          do i = 1, size(result%of)
             associate (one => result%of(i))
+               ! Position and velocity grow with the length: that is the length's, not theirs.
+               growth = 0
+               if (kind_of(one%setting) /= unknown_scalar) growth = growth_of_length(spread_of(:, j))
                is_plain = .true.
                do k = 1, one%elements
                   natural = natural_size(one%setting, one%first + k - 1)
-                  if (abs(spread_of(one%first + k - 1, j)) > 0.02_wp*natural) is_plain = .false.
+                  if (abs(spread_of(one%first + k - 1, j) - growth*one%value(k)) > natural* &
+                     merge(0.02_wp, 0.1_wp, one%elements == 1)) is_plain = .false.
                end do
                if (.not. is_plain) names = names//'/'//trim(one%name)
             end associate
@@ -367,6 +356,16 @@ contains
          if (setting == setting_place(pendulum_group, 'position')) kind_of = unknown_position
          if (setting == setting_place(pendulum_group, 'velocity')) kind_of = unknown_velocity
       end function kind_of
+
+      !> Relative, along a direction; 0 where the length is known.
+      real(wp) function growth_of_length(along) result(growth)
+         real(wp), intent(in) :: along(:)
+         integer :: i
+
+         i = findloc(result%of%setting, setting_place(pendulum_group, 'length'), 1)
+         growth = 0
+         if (i > 0) growth = along(result%of(i)%first)/physics%length
+      end function growth_of_length
 
       real(wp) function natural_size(setting, row)
          integer, intent(in) :: setting, row
@@ -392,36 +391,6 @@ contains
       end do
       call append(texts, text)
    end subroutine add_new
-
-   !> Of two positive numbers that go together, their ratio or product and its sigma.
-   subroutine say_known(result, spread_of, s, is_out)
-      type(fit_result_type), intent(inout) :: result
-      real(wp), intent(in) :: spread_of(:, :), s(:)
-      logical, intent(in) :: is_out(:)
-      integer :: i, k, sign_of
-      real(wp) :: relative(size(s)), out_part, sigma, value
-
-      result%known = ''
-      do i = 1, size(result%of)
-         if (result%of(i)%elements > 1 .or. result%of(i)%is_known(1)) cycle
-         do k = i + 1, size(result%of)
-            if (result%of(k)%elements > 1 .or. result%of(k)%is_known(1)) cycle
-            if (.not. (result%of(i)%value(1) > 0 .and. result%of(k)%value(1) > 0)) cycle
-            do sign_of = -1, 1, 2
-               relative = spread_of(result%of(i)%first, :)/result%of(i)%value(1) + &
-                  sign_of*spread_of(result%of(k)%first, :) &
-                  /result%of(k)%value(1)
-               out_part = sqrt(sum((relative/max(s, 1e-11_wp*s(1)))**2, is_out))
-               if (.not. out_part < 0.05_wp) cycle
-               sigma = sqrt(sum((relative/s)**2, .not. is_out))
-               value = result%of(i)%value(1)*merge(1/result%of(k)%value(1), result%of(k)%value(1), sign_of < 0)
-               result%known = result%known//trim(result%of(i)%name)//merge('/', '*', sign_of < 0)// &
-                  trim(result%of(k)%name)//' = '//digits_text(value, 7)//' +- '//digits_text(value*sigma, 7)//'; '
-            end do
-         end do
-      end do
-      if (len(result%known) > 2) result%known = result%known(:len(result%known) - 2)
-   end subroutine say_known
 
    !> Names and values of the free settings.
    subroutine name_results(result, request)
@@ -460,7 +429,7 @@ contains
       result%model%loss = loss_squares
       call result%model%evaluate(result%x, f, failed)
       result%model%loss = loss
-      result%residual = f(:n)
+      result%residual = -f(:n)
       result%chi2 = sum(f**2)
       result%p_value = 0
       if (result%dof < 1) then

@@ -1,0 +1,128 @@
+#!/bin/sh
+# What `kyvadlo fit` prints and writes: a published case, the fitted scene run by `simulate`, residuals, pictures, intervals, options.
+#
+#   report.sh KYVADLO FOLDER
+set -u
+kyvadlo=$1
+cd "$2" || exit 1
+examples=../../examples/fits
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+bad=0
+complain() { echo "$*"; bad=$((bad + 1)); }
+
+# same NAME FOUND EXPECTED TOLERANCE
+same() { awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN { d = a - b; exit !(a != "" && d <= t && -d <= t) }' || complain "$1 is '$2', not $3"; }
+# value FILE PARAMETER COLUMN: of a result in csv
+value() { awk -F, -v p="$2" -v c="$3" '$1 == p { print $c }' "$1"; }
+# refused STATUS PATTERN ARGUMENT...
+refused() {
+   wanted=$1; pattern=$2; shift 2
+   "$kyvadlo" fit "$@" >"$scratch/out" 2>"$scratch/error"
+   status=$?
+   [ "$status" = "$wanted" ] || complain "status $status, not $wanted: $*"
+   grep -q -e "$pattern" "$scratch/error" || complain "'$pattern' is not in: $(cat "$scratch/error")"
+}
+
+# The case study "Pendulum" of lsqfit, with errors in t: published are g/l = 39.82(87), theta(0) = 1.595(32), chi2/dof 0.7 of 10, Q 0.73.
+"$kyvadlo" fit published/pendulum.nml published/pendulum.csv --format csv --output "$scratch/pendulum" || complain "pendulum: status $?"
+same 'g/l' "$(value "$scratch/pendulum" gravity 2)" 39.82 0.005
+same 'sigma of g/l' "$(value "$scratch/pendulum" gravity 3)" 0.87 0.005
+same 'theta(0)' "$(value "$scratch/pendulum" release_angle 2)" 91.39 0.03
+same 'sigma of theta(0)' "$(value "$scratch/pendulum" release_angle 3)" 1.83 0.03
+"$kyvadlo" fit published/pendulum.nml published/pendulum.csv --format json >"$scratch/pendulum.json" || complain "pendulum: status $?"
+same chi2 "$(sed -n 's/.*"chi2": \([^,]*\),/\1/p' "$scratch/pendulum.json")" 7 0.5
+grep -q '"dof": 10,' "$scratch/pendulum.json" || complain 'pendulum: not 10 degrees of freedom'
+same Q "$(sed -n 's/.*"p_value": \([^,]*\),/\1/p' "$scratch/pendulum.json")" 0.73 0.006
+
+# Profile: of this case, which is near a parabola, the sigmas; and for a sure asymmetry, where chi2 has grown by 1 for real.
+"$kyvadlo" fit published/pendulum.nml published/pendulum.csv --format csv --profile >"$scratch/profile" || complain "profile: status $?"
+head -n 1 "$scratch/profile" | grep -qx 'parameter,value,sigma,least,most' || complain "profile: $(head -n 1 "$scratch/profile")"
+same 'least g/l' "$(value "$scratch/profile" gravity 4)" 38.956 0.05
+same 'most g/l' "$(value "$scratch/profile" gravity 5)" 40.688 0.05
+"$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --format csv --profile --threads 2 >"$scratch/profile" || complain "profile: status $?"
+for end in 4 5; do
+   held=$(value "$scratch/profile" linear $end)
+   sed "s/linear = 0.1/linear = $held/; s/gravity linear/gravity/" $examples/laboratory.nml >"$scratch/held.nml"
+   free=$("$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --format json | sed -n 's/.*"chi2": \([^,]*\),/\1/p')
+   "$kyvadlo" fit "$scratch/held.nml" $examples/laboratory.csv --format json >"$scratch/held.json"
+   same "chi2 at $held, less the least," "$(sed -n 's/.*"chi2": \([^,]*\),/\1/p' "$scratch/held.json" | awk -v f="$free" '{ print $1 - f }')" 1 0.001
+done
+
+# Bootstrap: about the sigmas for normal errors; the same by any number of threads, another by another seed.
+for threads in 1 2; do
+   "$kyvadlo" fit sets/1_2001.nml sets/1_2001.csv --format csv --bootstrap 500 --threads $threads \
+      >"$scratch/bootstrap$threads" || complain "bootstrap: status $?"
+done
+cmp "$scratch/bootstrap1" "$scratch/bootstrap2" || complain 'bootstrap depends on threads'
+for parameter in gravity length velocity3; do
+   sigma=$(value "$scratch/bootstrap1" $parameter 3)
+   least=$(value "$scratch/bootstrap1" $parameter 4)
+   most=$(value "$scratch/bootstrap1" $parameter 5)
+   # Half the interval of 500 copies of 115 rows is the sigma of the covariance to 15 per cent.
+   same "bootstrap of $parameter, in sigmas," "$(awk -v a="$least" -v b="$most" -v s="$sigma" 'BEGIN { print (b - a)/(2*s) }')" 1 0.15
+done
+"$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --bootstrap 20 --seed 7 >"$scratch/out" || complain "seed: status $?"
+grep -q '68.27 % of 20 fits, seed 7' "$scratch/out" || complain "the seed is not said: $(cat "$scratch/out")"
+"$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --bootstrap 20 --format json >"$scratch/json" || complain "bootstrap: status $?"
+grep -q '"gravity": {"value": [^ ]*, "sigma": [^ ]*, "least": [^ ]*, "most": [^ ]*}' "$scratch/json" || complain 'no interval in JSON'
+grep -q '"intervals": "bootstrap of the rows, 68.27 % of 20 fits, seed 1"' "$scratch/json" || complain 'intervals are not said in JSON'
+
+# The fitted scene runs, whatever is free: names with quotation marks, position alone (the velocity is the scene's, at right angles to
+# it), length alone (the bob stays on its sphere).
+for free in 'gravity position velocity linear' position velocity length gravity; do
+   printf "&pendulum name='Bob''s' length=0.79 gravity=9.8 position=0.51,0,-0.6 velocity=0.01,0,0.01 /\n&air linear=0.02 /\n" >"$scratch/scene.nml"
+   printf "&output duration=2 samples=3 /\n&fit free='%s' units='degrees' /\n" "$free" >>"$scratch/scene.nml"
+   "$kyvadlo" fit "$scratch/scene.nml" $examples/laboratory.csv >"$scratch/out" 2>"$scratch/error" || complain "$free: status $?: $(cat "$scratch/error")"
+   sed -n '/^&pendulum/,$p' "$scratch/out" >"$scratch/fitted.nml"
+   grep -q "name = 'Bob''s'" "$scratch/fitted.nml" || complain "$free: the name is lost"
+   "$kyvadlo" simulate "$scratch/fitted.nml" --output "$scratch/samples" 2>"$scratch/error" || complain "$free: $(cat "$scratch/error")"
+   [ "$(wc -l <"$scratch/samples")" = 4 ] || complain "$free: no three samples"
+done
+# What it prints is the model: simulated at the times of the data it is what the residuals say.
+"$kyvadlo" fit $examples/foucault.nml $examples/foucault.csv --residuals "$scratch/residuals" >"$scratch/out" || complain "foucault: status $?"
+sed -n '/^&pendulum/,$p' "$scratch/out" >"$scratch/fitted.nml"
+echo "&output duration=1797 samples=600 quantities='position' /" >>"$scratch/fitted.nml"
+"$kyvadlo" simulate "$scratch/fitted.nml" --output "$scratch/samples" || complain "foucault: fitted scene"
+awk -F, 'FNR == 1 { next } FILENAME ~ /samples$/ { x[$1 + 0] = $2; y[$1 + 0] = $3; next }
+   { seen++; model = $2 == "x" ? x[$1 + 0] : y[$1 + 0]; d = model - $4; r = $3 - $4 - $5; s = $5/0.005 - $6
+     if (!(d < 1e-6 && d > -1e-6 && r < 1e-12 && r > -1e-12 && s < 1e-8 && s > -1e-8)) { print; bad = 1 } }
+   END { exit bad || seen != 1200 }' "$scratch/samples" "$scratch/residuals" || complain 'residuals, model and fitted scene differ'
+# Measured less model everywhere: one reading too high is positive in the file and among the outliers.
+awk -F, -v OFS=, '$1 == 30 { $2 += 1 } { print }' $examples/foucault.csv >"$scratch/outlier.csv"
+"$kyvadlo" fit $examples/foucault.nml "$scratch/outlier.csv" --format json --residuals "$scratch/residuals" >"$scratch/json" || complain "outlier: status $?"
+grep -q '"outliers": .*"column": "x", "residual_in_sigmas": 1\.9[0-9]*e+02' "$scratch/json" || complain "outlier: $(grep outliers "$scratch/json")"
+awk -F, '$1 == 30 && $2 == "x" { exit !($5 > 0.9 && $6 > 180) }' "$scratch/residuals" || complain 'the outlier is negative in the file'
+
+# What a fit would do is said before it, on standard error.
+"$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --explain >"$scratch/out" 2>"$scratch/error" || complain "explain: status $?"
+for line in 'data:     angle t; 300 rows' 'unknowns: gravity, linear \[guess\], position, velocity: 4' '296 degrees of freedom' 'path: *integrated' \
+   'start: *[0-9]* guesses' 'cost: .* ms'; do
+   grep -q "$line" "$scratch/error" || complain "explain does not say '$line': $(cat "$scratch/error")"
+done
+
+# A picture with its script and data, or the two where there is no gnuplot; axes with units.
+"$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --plot "$scratch/picture.svg" --output "$scratch/out" 2>"$scratch/error"
+status=$?
+if command -v gnuplot >/dev/null; then
+   [ "$status" = 0 ] || complain "plot: $(cat "$scratch/error")"
+   for text in 't \[s\]' 'angle \[degrees\]' 'residual of angle \[sigmas\]' laboratory measured; do
+      grep -q "$text" "$scratch/picture.svg" || complain "the picture does not say $text"
+   done
+fi
+grep -q 'set ylabel "angle \[degrees\]"' "$scratch/picture.gp" || complain 'plot: no script'
+[ "$(grep -c . "$scratch/picture.dat")" -gt 800 ] || complain 'plot: no data'
+echo mine >"$scratch/other.gp"
+refused 2 'did not write' $examples/laboratory.nml $examples/laboratory.csv --plot "$scratch/other.svg"
+refused 2 '.svg or .png' $examples/laboratory.nml $examples/laboratory.csv --plot "$scratch/other.pdf"
+refused 2 'are one file' $examples/laboratory.nml $examples/laboratory.csv --output $examples/laboratory.csv
+
+refused 2 'whole number, 20 to 1000000' $examples/laboratory.nml $examples/laboratory.csv --bootstrap 5
+refused 2 'whole number, 20 to 1000000' $examples/laboratory.nml $examples/laboratory.csv --bootstrap many
+refused 2 'choose one' $examples/laboratory.nml $examples/laboratory.csv --bootstrap 20 --profile
+refused 2 'of --bootstrap' $examples/laboratory.nml $examples/laboratory.csv --seed 2
+refused 2 'shares the work' $examples/laboratory.nml $examples/laboratory.csv --threads 2
+refused 2 'text|csv|json' $examples/laboratory.nml $examples/laboratory.csv --format xml
+refused 2 'needs the name of a file' $examples/laboratory.nml $examples/laboratory.csv --residuals ''
+refused 2 'a scene and a table' $examples/laboratory.nml
+exit $((bad > 0))
