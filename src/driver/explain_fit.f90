@@ -66,10 +66,9 @@ contains
             text = text//','
          end associate
       end do
-      call message('unknowns:'//text(:len(text) - 1)//': '//integer_text(size(model%motion%of)))
-      text = integer_text(model%residuals - size(model%motion%of))//' degrees of freedom'
-      if (request%loss /= loss_squares) text = text//', a loss that lets outliers count less'
-      call message('loss:     '//text)
+      call message('unknowns:'//text(:len(text) - 1)//': '//integer_text(size(model%motion%of))//', which leave '// &
+         integer_text(model%residuals - size(model%motion%of))//' degrees of freedom')
+      if (request%loss /= loss_squares) call message('loss:     outliers count less')
       if (model%motion%is_exact) then
          call message('path:     closed form, and its derivatives in closed form')
       else

@@ -93,6 +93,10 @@ contains
             call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
             return
          end if
+         if (arguments%operands(1)%text == '-' .and. arguments%operands(2)%text == '-') then
+            call fail(error, code_input, 'fit: the scene and the data cannot both be standard input')
+            return
+         end if
          do i = 1, size(named)
             if (option_given(arguments, trim(named(i))) .and. option_value(arguments, trim(named(i)), '') == '') then
                call fail(error, code_input, 'option '//trim(named(i))//' needs the name of a file')

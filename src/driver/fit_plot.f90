@@ -234,9 +234,10 @@ contains
       call script%put('data = '//gnuplot_text('./'//data))
       title = request%pendulum%name
       if (title /= '') title = title//': '
+      if (.not. result%is_converged) title = title//'no minimum, '
       title = title//'chi2/dof = '//digits_text(result%chi2, 5)//'/'//integer_text(result%dof)
       call script%put('set multiplot layout '//integer_text(rows)//',2 title '//gnuplot_text(title))
-      call script%put('set grid; set key above; set autoscale xfix')
+      call script%put('set grid; set key above; set autoscale xfix; set errorbars 0')
       call script%put('set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.05')
       row = 0
       do j = 1, column_period

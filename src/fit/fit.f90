@@ -61,6 +61,7 @@ contains
       integer :: i, j, k, lines
       character(len=:), allocatable :: text
 
+      result%known = ''
       call check_fit(request, data, error)
       if (allocated(error)) return
       call new_model(result%model, request, data, result%is_estimated)
@@ -93,6 +94,13 @@ contains
       result%iterations = minimum%iterations
       result%is_converged = minimum%is_found
       call find_sigmas(result, request)
+      if (.not. result%is_converged) then
+         ! Where a search ended is no answer.
+         do k = 1, size(result%of)
+            result%of(k)%is_known = .false.
+            result%of(k)%sigma = quiet_nan_real64
+         end do
+      end if
       lines = size(others, 3)
       allocate (result%others(0))
       do k = 1, lines
@@ -235,7 +243,7 @@ contains
       type(fit_result_type), intent(inout) :: result
       type(fit_request_type), intent(in) :: request
       real(wp), parameter :: least_singular = 1, rounding = 1e-11_wp, least_part = 0.3_wp
-      real(wp), allocatable :: jacobian(:, :), f(:), matrix(:, :), work(:), d(:, :), spread_of(:, :)
+      real(wp), allocatable :: jacobian(:, :), f(:), matrix(:, :), work(:), d(:, :), spread_of(:, :), parts(:)
       real(wp) :: s(size(result%x)), vt(size(result%x), size(result%x)), u(1, 1), number(3, size(settings)), natural
       real(wp) :: part, floor, rates(size(result%x)), growth
       type(model_type) :: model
@@ -280,7 +288,7 @@ contains
       floor = max(rounding*s(1), tiny(1.0_wp))
       call physics_at(model%motion, result%x, number, physics, failed, directions)
       n = result%of(size(result%of))%first + result%of(size(result%of))%elements - 1
-      allocate (d(n, p))
+      allocate (d(n, p), parts(n))
       d = 0
       call numbers_at(model%motion, result%x, number, rates)
       do i = 1, size(result%of)
@@ -317,6 +325,7 @@ contains
             do k = 1, one%elements
                natural = natural_size(one%setting, one%first + k - 1)
                part = sqrt(sum((spread_of(one%first + k - 1, :)/max(s, floor))**2, is_out))
+               parts(one%first + k - 1) = part
                one%is_known(k) = .not. part > least_part*natural
                if (one%is_known(k)) result%covariance(one%first + k - 1, one%first + k - 1) = &
                   result%covariance(one%first + k - 1, one%first + k - 1) + &
@@ -336,9 +345,9 @@ contains
                if (kind_of(one%setting) /= unknown_scalar) growth = growth_of_length(spread_of(:, j))
                is_plain = .true.
                do k = 1, one%elements
-                  natural = natural_size(one%setting, one%first + k - 1)
-                  if (abs(spread_of(one%first + k - 1, j) - growth*one%value(k)) > natural* &
-                     merge(0.02_wp, 0.1_wp, one%elements == 1)) is_plain = .false.
+                  ! Of an unknown number, those directions that matter.
+                  if (.not. one%is_known(k) .and. abs(spread_of(one%first + k - 1, j) - growth*one%value(k)) > &
+                     0.1_wp*max(s(j), floor)*parts(one%first + k - 1)) is_plain = .false.
                end do
                if (.not. is_plain) names = names//'/'//trim(one%name)
             end associate

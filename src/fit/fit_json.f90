@@ -90,9 +90,13 @@ contains
       line = '  "notes": '
       call add_list(line, result%notes)
       call sink%put(line//',')
-      call fitted_scene(result, request, scene)
       line = '  "scene": '
-      call add_text(line, scene)
+      if (result%is_converged) then
+         call fitted_scene(result, request, scene)
+         call add_text(line, scene)
+      else
+         line = line//'null'
+      end if
       call sink%put(line)
       call sink%put('}')
    end subroutine write_fit_json

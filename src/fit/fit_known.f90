@@ -19,45 +19,25 @@ contains
       logical, intent(in) :: is_out(:)                   !! The directions of the valley
       !> What the valley moves less than so, of what it moves the numbers themselves, is known.
       real(wp), parameter :: little = 0.05_wp
-      real(wp) :: along(size(s)), factor
-      integer :: i, k, m, length, before
-      logical :: is_said
+      real(wp) :: along(size(s))
+      integer, allocatable :: of(:), element(:)          !! Of all unknown numbers
+      integer :: i, k, length
 
       result%known = ''
       length = setting_place(pendulum_group, 'length')
-      do i = 1, size(result%of)
-         if (result%of(i)%elements > 1) cycle
-         associate (a => result%of(i), va => spread_of(result%of(i)%first, :))
-            if (a%is_known(1)) cycle
-            do k = 1, size(result%of)
-               if (result%of(k)%elements > 1 .and. a%setting == length) then
-                  do m = 1, result%of(k)%elements
-                     call try_ratio(k, m, i, 1)
-                  end do
-               end if
-               if (k <= i .or. result%of(k)%elements > 1 .or. result%of(k)%is_known(1)) cycle
-               before = len(result%known)
-               associate (b => result%of(k), vb => spread_of(result%of(k)%first, :))
-                  if (a%value(1) > 0 .and. b%value(1) > 0) then
-                     call try_ratio(i, 1, k, 1)
-                     along = va/a%value(1) + vb/b%value(1)
-                     if (out(along) < little) call say(trim(a%name)//'*'//trim(b%name), a%value(1)*b%value(1), &
-                        along*a%value(1)*b%value(1))
-                  end if
-                  is_said = len(result%known) > before
-                  if (is_said) cycle
-                  if (settings(a%setting)%unit == settings(b%setting)%unit) then
-                     call try_sum('+', 1.0_wp)
-                     call try_sum('-', -1.0_wp)
-                  end if
-                  is_said = len(result%known) > before
-                  if (is_said .or. .not. out(vb) > 0) cycle
-                  factor = -sum(va*vb/max(s, smallest())**2, is_out)/out(vb)**2
-                  if (factor > 0) call try_sum('+', factor)
-                  if (factor < 0) call try_sum('-', factor)
-               end associate
-            end do
-         end associate
+      of = [((i, k=1, result%of(i)%elements), i=1, size(result%of))]
+      element = [((k, k=1, result%of(i)%elements), i=1, size(result%of))]
+      i = size(of)
+      of = pack(of, [(.not. result%of(of(k))%is_known(element(k)), k=1, i)])
+      element = pack(element, .not. [((result%of(i)%is_known(k), k=1, result%of(i)%elements), i=1, size(result%of))])
+      do i = 1, size(of)
+         do k = 1, size(of)
+            if (is_state(of(k))) then
+               if (result%of(of(i))%setting == length) call try_ratio(of(k), element(k), of(i), 1)
+            else if (k > i .and. .not. is_state(of(i))) then
+               call try_pair(of(i), element(i), of(k), element(k))
+            end if
+         end do
       end do
       if (len(result%known) > 2) result%known = result%known(:len(result%known) - 2)
 
@@ -75,6 +55,40 @@ contains
          out = sqrt(sum((along/max(s, smallest()))**2, is_out))
       end function out
 
+      !> Position and velocity, which come in threes.
+      logical function is_state(i)
+         integer, intent(in) :: i
+
+         is_state = any(result%of(i)%setting == [setting_place(pendulum_group, 'position'), &
+            setting_place(pendulum_group, 'velocity')])
+      end function is_state
+
+      !> What is known of two numbers, element m of setting i and element n of setting k: the first that is.
+      subroutine try_pair(i, m, k, n)
+         integer, intent(in) :: i, m, k, n
+         integer :: before
+         real(wp) :: factor
+
+         before = len(result%known)
+         associate (a => result%of(i), b => result%of(k), va => spread_of(result%of(i)%first + m - 1, :), &
+               vb => spread_of(result%of(k)%first + n - 1, :))
+            if (a%value(m) > 0 .and. b%value(n) > 0) then
+               call try_ratio(i, m, k, n)
+               along = va/a%value(m) + vb/b%value(n)
+               if (out(along) < little) call say(element_name(a, m)//'*'//element_name(b, n), a%value(m)*b%value(n), &
+                  along*a%value(m)*b%value(n))
+            end if
+            if (len(result%known) > before) return
+            if (settings(a%setting)%unit == settings(b%setting)%unit) then
+               call try_sum(i, m, k, n, 1.0_wp)
+               call try_sum(i, m, k, n, -1.0_wp)
+            end if
+            if (len(result%known) > before .or. .not. out(vb) > 0) return
+            factor = -sum(va*vb/max(s, smallest())**2, is_out)/out(vb)**2
+            if (abs(factor) > 0) call try_sum(i, m, k, n, factor)
+         end associate
+      end subroutine try_pair
+
       !> Element m of setting i over element n of setting k.
       subroutine try_ratio(i, m, k, n)
          integer, intent(in) :: i, m, k, n
@@ -88,19 +102,18 @@ contains
       end subroutine try_ratio
 
       !> The sum of two, the second times a factor.
-      subroutine try_sum(sign_of, factor)
-         character(len=1), intent(in) :: sign_of
+      subroutine try_sum(i, m, k, n, factor)
+         integer, intent(in) :: i, m, k, n
          real(wp), intent(in) :: factor
+         character(len=:), allocatable :: text
 
-         associate (a => result%of(i), b => result%of(k))
-            along = spread_of(a%first, :) + factor*spread_of(b%first, :)
-            if (.not. out(along) < little*min(out(spread_of(a%first, :)), out(factor*spread_of(b%first, :)))) return
-            if (abs(factor) < 1 .or. abs(factor) > 1) then
-               call say(trim(a%name)//' '//sign_of//' '//digits_text(abs(factor), 4)//'*'//trim(b%name), &
-                  a%value(1) + factor*b%value(1), along)
-            else
-               call say(trim(a%name)//' '//sign_of//' '//trim(b%name), a%value(1) + factor*b%value(1), along)
-            end if
+         associate (a => result%of(i), b => result%of(k), va => spread_of(result%of(i)%first + m - 1, :), &
+               vb => spread_of(result%of(k)%first + n - 1, :))
+            along = va + factor*vb
+            if (.not. out(along) < little*min(out(va), out(factor*vb))) return
+            text = element_name(a, m)//merge(' + ', ' - ', factor > 0)
+            if (abs(factor) < 1 .or. abs(factor) > 1) text = text//digits_text(abs(factor), 4)//'*'
+            call say(text//element_name(b, n), a%value(m) + factor*b%value(n), along)
          end associate
       end subroutine try_sum
 

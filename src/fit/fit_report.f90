@@ -14,6 +14,7 @@ module kyvadlo_fit_report
    public :: write_fit_text, write_fit_csv, write_residuals
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
+   integer, parameter :: sigma_digits = 3
 
 contains
 
@@ -25,17 +26,18 @@ contains
       character(len=:), allocatable :: line, scene
       integer :: i, j, k, at
 
-      if (.not. result%is_converged) call sink%put('No minimum was found.')
+      if (.not. result%is_converged) call sink%put('No minimum was found. This is where the search ended:')
       line = 'parameter            value               sigma       '
       if (result%has_intervals) line = line//'least          most           '
       call sink%put(line//'unit')
       do i = 1, size(result%of)
          associate (one => result%of(i))
             do k = 1, one%elements
-               line = padded(element_name(one, k), 21)//padded(digits_text(one%value(k), 10), 20)// &
-                  padded(known_text(one%sigma(k), 3, 'unknown'), 12)
-               if (result%has_intervals) line = line//padded(known_text(one%least(k), 7, 'none'), 15)// &
-                  padded(known_text(one%most(k), 7, 'none'), 15)
+               line = padded(element_name(one, k), 21)//padded(digits_text(one%value(k), digits_by(one%value(k), &
+                  one%sigma(k))), 20)//padded(known_text(one%sigma(k), sigma_digits, 'unknown'), 12)
+               if (result%has_intervals) line = line//padded(known_text(one%least(k), digits_by(one%least(k), &
+                  one%sigma(k)), 'none'), 15)//padded(known_text(one%most(k), digits_by(one%most(k), one%sigma(k)), &
+                  'none'), 15)
                line = line//trim(settings(one%setting)%unit)
                call sink%put(trim(line))
             end do
@@ -50,12 +52,11 @@ contains
             if (count(result%model%all(result%model%used)%column == j) == 0) cycle
             line = trim(column_names(j))//': '//integer_text(count(result%model%all(result%model%used)%column == j))// &
                ' values, residuals '//digits_text(rms(result, request, j), 3)//' rms, '// &
-               digits_text(rms_in_sigmas(result, j), 3)//' sigmas'
+               digits_text(rms_in_sigmas(result, j), 3)//' sigmas, mean '//digits_text(mean_in_sigmas(result, j), 2)
             if (result%is_estimated(j)) line = line//' (sigma estimated)'
             call sink%put(line)
          end do
-         j = count(abs(result%residual) >= 5)
-         if (j > 0) call sink%put(integer_text(j)//' residuals beyond 5 sigmas')
+         call put_outliers(result, sink)
          call put_correlations(result, sink)
       end if
       if (allocated(result%undetermined)) then
@@ -64,7 +65,12 @@ contains
          end do
       end if
       if (allocated(result%known)) then
-         if (result%known /= '') call sink%put('They tell: '//result%known)
+         at = 1
+         do while (at <= len(result%known))
+            i = index(result%known(at:)//'; ', '; ')
+            call sink%put('They tell: '//result%known(at:at + i - 2))
+            at = at + i + 1
+         end do
       end if
       if (allocated(result%others)) then
          do i = 1, size(result%others)
@@ -76,6 +82,7 @@ contains
             call sink%put('Note: '//result%notes(i)%text)
          end do
       end if
+      if (.not. result%is_converged) return
       call sink%put('')
       call fitted_scene(result, request, scene)
       at = 1
@@ -86,7 +93,30 @@ contains
       end do
    end subroutine write_fit_text
 
-   !> Those of every two numbers that are large enough to matter.
+   !> What lies beyond five sigmas, the first few.
+   subroutine put_outliers(result, sink)
+      type(fit_result_type), intent(in) :: result
+      class(text_sink_type), intent(inout) :: sink
+      real(wp), parameter :: far = 5
+      integer, parameter :: shown = 5
+      character(len=:), allocatable :: line
+      integer :: i, n
+
+      n = 0
+      do i = 1, size(result%residual)
+         if (abs(result%residual(i)) < far) cycle
+         n = n + 1
+         if (n > shown) cycle
+         associate (one => result%model%all(result%model%used(i)))
+            line = 'outlier: '//trim(column_names(one%column))//' in row '//integer_text(one%row)
+            if (one%time > -huge(1.0_wp)) line = line//', t = '//digits_text(one%time, 6)//' s'
+            call sink%put(line//': '//digits_text(result%residual(i), 3)//' sigmas')
+         end associate
+      end do
+      if (n > shown) call sink%put('and '//integer_text(n - shown)//' more beyond 5 sigmas')
+   end subroutine put_outliers
+
+   !> Those of every two numbers that are large enough to matter. Elements of one vector lie on its sphere or plane.
    subroutine put_correlations(result, sink)
       type(fit_result_type), intent(in) :: result
       class(text_sink_type), intent(inout) :: sink
@@ -98,8 +128,8 @@ contains
       if (.not. allocated(result%covariance)) return
       do i = 1, size(result%of)
          do k = 1, result%of(i)%elements
-            do j = i, size(result%of)
-               do l = merge(k + 1, 1, j == i), result%of(j)%elements
+            do j = i + 1, size(result%of)
+               do l = 1, result%of(j)%elements
                   if (.not. (result%of(i)%is_known(k) .and. result%of(j)%is_known(l))) cycle
                   found = correlation(result, result%of(i)%first + k - 1, result%of(j)%first + l - 1)
                   if (abs(found) >= large) call sink%put('correlation of '//element_name(result%of(i), k)//' and '// &
@@ -109,6 +139,15 @@ contains
          end do
       end do
    end subroutine put_correlations
+
+   !> So many that the last is of the place of the last digit of sigma.
+   pure integer function digits_by(value, sigma) result(digits)
+      real(wp), intent(in) :: value, sigma
+
+      digits = 7
+      if (.not. (sigma > 0 .and. abs(value) > 0 .and. is_finite(value))) return
+      digits = max(1, min(15, floor(log10(abs(value))) - floor(log10(sigma)) + sigma_digits))
+   end function digits_by
 
    pure integer function known_length(value, digits, without) result(length)
       real(wp), intent(in) :: value

@@ -29,6 +29,7 @@ module kyvadlo_fit_request
       logical :: is_given = .false.                   !! The scene has a guess
       real(wp) :: least = -huge(1.0_wp), most = huge(1.0_wp)
       real(wp) :: prior = 0, prior_sigma = 0          !! prior_sigma 0: none
+      logical :: has_prior = .false.                  !! prior is given
    end type free_type
 
    type :: fit_request_type
@@ -324,6 +325,7 @@ contains
                   if (j == 2) free%most = number
                   if (j == 3) free%prior_sigma = number
                   if (j == 4) free%prior = number
+                  if (j == 4) free%has_prior = .true.
                   name = ''
                end associate
             end do
@@ -341,6 +343,9 @@ contains
             group, &
             group%line, 'least_'//trim(settings(request%free(k)%setting)%name)//' must be below most_'// &
             trim(settings(request%free(k)%setting)%name))
+         if (.not. allocated(error) .and. (request%free(k)%has_prior .neqv. request%free(k)%prior_sigma > 0)) &
+            call refuse(error, group, group%line, 'prior_'//trim(settings(request%free(k)%setting)%name)// &
+            ' and prior_sigma_'//trim(settings(request%free(k)%setting)%name)//' go together')
       end do
    end subroutine read_fit_group
 

@@ -90,14 +90,18 @@ if [ "$mode" = programs ]; then
             source=program.py; compile= ;;
          *) continue ;;
       esac
-      # A build without GSL has no integrator.
-      if grep -q 'use kyvadlo_integrator' "$block" && [ -z "$(find "$place" -name kyvadlo_integrator.mod)" ]; then continue; fi
+      # A build without GSL has no integrator and no fits.
+      if grep -q -e 'use kyvadlo_integrator' -e 'use kyvadlo_fit' -e '<gsl/' "$block"; then
+         [ -n "$(find "$place" -name kyvadlo_integrator.mod)" ] || continue
+      fi
+      gsl=
+      if grep -q '<gsl/' "$block"; then gsl=$(pkg-config --cflags --libs gsl) || continue; fi
       cp "$block" "$scratch/$source"
       cd "$scratch" || exit 1
       if [ "$language" = python ]; then
          [ -z "$static" ] || continue          # ctypes needs the shared library
          python3 program.py >out 2>&1 || { complain "this $language fails:"; cat out; }
-      elif $compile -o program "$source" $found -lm >out 2>&1; then
+      elif $compile -o program "$source" $found $gsl -lm >out 2>&1; then
          ./program >out 2>&1 </dev/null || { complain "this $language fails:"; cat out; }
       else
          complain "this $language does not compile:"; cat out

@@ -50,17 +50,21 @@ for end in 4 5; do
 done
 
 # Bootstrap: about the sigmas for normal errors; the same by any number of threads, another by another seed.
+echo "&pendulum length=1.2 gravity=9.81 z_upper=-0.4 z_lower=-1.1 / &output duration=12 samples=120 quantities='position' /" |
+   "$kyvadlo" simulate - | awk -F, -v OFS=, 'function normal() { return 0.01*sqrt(-2*log(1 - rand()))*cos(6.283185307179586*rand()) }
+      NR == 1 { srand(1); print "t,x,y,z"; next } { print $1, $2 + normal(), $3 + normal(), $4 + normal() }' >"$scratch/wide.csv"
+echo "&pendulum / &fit free='length gravity position velocity' sigma=0.01 /" >"$scratch/wide.nml"
 for threads in 1 2; do
-   "$kyvadlo" fit sets/1_2001.nml sets/1_2001.csv --format csv --bootstrap 500 --threads $threads \
-      >"$scratch/bootstrap$threads" || complain "bootstrap: status $?"
+   "$kyvadlo" fit "$scratch/wide.nml" "$scratch/wide.csv" --format csv --bootstrap 500 --threads $threads >"$scratch/bootstrap$threads" ||
+      complain "bootstrap: status $?"
 done
 cmp "$scratch/bootstrap1" "$scratch/bootstrap2" || complain 'bootstrap depends on threads'
 for parameter in gravity length velocity3; do
    sigma=$(value "$scratch/bootstrap1" $parameter 3)
    least=$(value "$scratch/bootstrap1" $parameter 4)
    most=$(value "$scratch/bootstrap1" $parameter 5)
-   # Half the interval of 500 copies of 115 rows is the sigma of the covariance to 15 per cent.
-   same "bootstrap of $parameter, in sigmas," "$(awk -v a="$least" -v b="$most" -v s="$sigma" 'BEGIN { print (b - a)/(2*s) }')" 1 0.15
+   # Half the interval of 500 copies of 120 rows is the sigma of the covariance to 20 per cent.
+   same "bootstrap of $parameter, in sigmas," "$(awk -v a="$least" -v b="$most" -v s="$sigma" 'BEGIN { print (b - a)/(2*s) }')" 1 0.2
 done
 "$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --bootstrap 20 --seed 7 >"$scratch/out" || complain "seed: status $?"
 grep -q '68.27 % of 20 fits, seed 7' "$scratch/out" || complain "the seed is not said: $(cat "$scratch/out")"
@@ -90,13 +94,15 @@ awk -F, 'FNR == 1 { next } FILENAME ~ /samples$/ { x[$1 + 0] = $2; y[$1 + 0] = $
    END { exit bad || seen != 1200 }' "$scratch/samples" "$scratch/residuals" || complain 'residuals, model and fitted scene differ'
 # Measured less model everywhere: one reading too high is positive in the file and among the outliers.
 awk -F, -v OFS=, '$1 == 30 { $2 += 1 } { print }' $examples/foucault.csv >"$scratch/outlier.csv"
+"$kyvadlo" fit $examples/foucault.nml "$scratch/outlier.csv" | grep -q '^outlier: x in row 11, t = 30.0000 s: 19[0-9] sigmas' ||
+   complain 'the outlier is not said'
 "$kyvadlo" fit $examples/foucault.nml "$scratch/outlier.csv" --format json --residuals "$scratch/residuals" >"$scratch/json" || complain "outlier: status $?"
 grep -q '"outliers": .*"column": "x", "residual_in_sigmas": 1\.9[0-9]*e+02' "$scratch/json" || complain "outlier: $(grep outliers "$scratch/json")"
 awk -F, '$1 == 30 && $2 == "x" { exit !($5 > 0.9 && $6 > 180) }' "$scratch/residuals" || complain 'the outlier is negative in the file'
 
 # What a fit would do is said before it, on standard error.
 "$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --explain >"$scratch/out" 2>"$scratch/error" || complain "explain: status $?"
-for line in 'data:     angle t; 300 rows' 'unknowns: gravity, linear \[guess\], position, velocity: 4' '296 degrees of freedom' 'path: *integrated' \
+for line in 'data:     angle t; 300 rows' 'unknowns: gravity, linear \[guess\], position, velocity: 4, which leave 296 degrees of freedom' 'path: *integrated' \
    'start: *[0-9]* guesses' 'cost: .* ms'; do
    grep -q "$line" "$scratch/error" || complain "explain does not say '$line': $(cat "$scratch/error")"
 done
@@ -117,6 +123,9 @@ refused 2 'did not write' $examples/laboratory.nml $examples/laboratory.csv --pl
 refused 2 '.svg or .png' $examples/laboratory.nml $examples/laboratory.csv --plot "$scratch/other.pdf"
 refused 2 'are one file' $examples/laboratory.nml $examples/laboratory.csv --output $examples/laboratory.csv
 
+# A prior is a value and its sigma.
+sed "s/sigma = 0.3/sigma = 0.3 prior_gravity = 9.8/" $examples/laboratory.nml >"$scratch/half.nml"
+refused 2 'prior_gravity and prior_sigma_gravity go together' "$scratch/half.nml" $examples/laboratory.csv
 refused 2 'whole number, 20 to 1000000' $examples/laboratory.nml $examples/laboratory.csv --bootstrap 5
 refused 2 'whole number, 20 to 1000000' $examples/laboratory.nml $examples/laboratory.csv --bootstrap many
 refused 2 'choose one' $examples/laboratory.nml $examples/laboratory.csv --bootstrap 20 --profile
@@ -125,4 +134,5 @@ refused 2 'shares the work' $examples/laboratory.nml $examples/laboratory.csv --
 refused 2 'text|csv|json' $examples/laboratory.nml $examples/laboratory.csv --format xml
 refused 2 'needs the name of a file' $examples/laboratory.nml $examples/laboratory.csv --residuals ''
 refused 2 'a scene and a table' $examples/laboratory.nml
+refused 2 'cannot both be standard input' - -
 exit $((bad > 0))
