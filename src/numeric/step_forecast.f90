@@ -1,7 +1,7 @@
 !> How many steps an integration will take, about: what has to be resolved fastest, and what part of it a step takes.
 module kyvadlo_step_forecast
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_numbers, only: infinity_real64
+   use kyvadlo_numbers, only: infinity_real64, product_or_infinity
    use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
    use kyvadlo_effects, only: effects_type, has_drag
    implicit none
@@ -38,22 +38,24 @@ contains
       rates(cause_turning) = 2*norm2(effects%turn_rate)
       associate (turning => two_pi*pack(effects%pivot_frequency, abs(effects%pivot_amplitude) > 0), &
          amplitude => pack(effects%pivot_amplitude, abs(effects%pivot_amplitude) > 0))
-         if (size(turning) > 0) rates(cause_pivot) = max(maxval(turning), maxval(turning*sqrt(abs(amplitude)/length)))
+         if (size(turning) > 0) rates(cause_pivot) = max(maxval(turning), &
+            maxval(product_or_infinity(turning, sqrt(abs(amplitude)/length))))
       end associate
       rates(cause_stiffness) = sqrt(effects%stiffness/inertia)
       if (has_drag(effects)) then
          through = norm2(effects%wind)
-         decay = (effects%linear_drag + effects%quadratic_drag*through)/inertia
-         rates(cause_wind) = max(decay*steps_per_decay/steps_per_radian, sqrt(decay*through/length))
+         decay = (effects%linear_drag + product_or_infinity(effects%quadratic_drag, through))/inertia
+         rates(cause_wind) = max(product_or_infinity(decay, steps_per_decay/steps_per_radian), &
+               sqrt(product_or_infinity(decay, through/length)))
          ! Through still air, soon no faster than a fall in it.
-         decay = effects%linear_drag/inertia + min(effects%quadratic_drag/inertia*max(speed, &
-            sqrt(2*fall)*sqrt(length)), sqrt(effects%quadratic_drag/inertia*fall))
-         rates(cause_drag) = decay*steps_per_decay/steps_per_radian
+         decay = effects%linear_drag/inertia + min(product_or_infinity(effects%quadratic_drag/inertia, max(speed, &
+            sqrt(2*fall)*sqrt(length))), sqrt(effects%quadratic_drag/inertia*fall))
+         rates(cause_drag) = product_or_infinity(decay, steps_per_decay/steps_per_radian)
       end if
-      rates(:cause_start) = rates(:cause_start)*(measured_tolerance/tolerance)**(1.0_wp/9)
-      rates(cause_wind:) = rates(cause_wind:)*(measured_tolerance/tolerance)**(1.0_wp/9)
+      rates(:cause_start) = product_or_infinity(rates(:cause_start), (measured_tolerance/tolerance)**(1.0_wp/9))
+      rates(cause_wind:) = product_or_infinity(rates(cause_wind:), (measured_tolerance/tolerance)**(1.0_wp/9))
       cause = maxloc(rates, 1)
-      steps = duration*rates(cause)*steps_per_radian
+      steps = product_or_infinity(duration, product_or_infinity(rates(cause), steps_per_radian))
       if (allocated(effects%pivot_times)) steps = steps + size(effects%pivot_times)
       steps = max(steps, 1.0_wp)
       if (.not. steps <= huge(steps)) steps = infinity_real64

@@ -78,12 +78,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(real64), intent(in), optional :: gravity_rest !! What of g its rounding took off [m/s2]
       real(real64) :: rest
-      logical :: is_kept
+      logical :: is_kept, is_rough
 
       is_kept = .false.
       rest = 0
       if (present(gravity_rest)) rest = gravity_rest
-      if (accuracy >= finest_rough) then
+      is_rough = .not. is_nan(accuracy)
+      if (is_rough) is_rough = accuracy >= finest_rough
+      if (is_rough) then
          call new_rough_orbit(plan%orbit, start, length, gravity, first, second, error, rest)
          if (.not. allocated(error)) call begin(plan, accuracy, span, error)
          if (.not. allocated(error)) call choose(plan, .true., is_kept)

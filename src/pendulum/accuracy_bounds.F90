@@ -9,6 +9,7 @@ module kyvadlo_accuracy_bounds
    use, intrinsic :: iso_fortran_env, only: real128
 #endif
    use kyvadlo_batch_constants
+   use kyvadlo_numbers, only: product_or_infinity
    use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_pairs, only: operator(+), value
    implicit none
@@ -102,7 +103,7 @@ contains
             end if
          end do
          if (b%form == form_dual) then
-            sensitivity = max(hyperbolic_odd(b%odd(1)), step*hyperbolic_odd(b%odd(0))) &
+            sensitivity = max(hyperbolic_odd(b%odd(1)), product_or_infinity(hyperbolic_odd(b%odd(0)), step)) &
                + max(hyperbolic_even(b%even(1)), hyperbolic_even(b%even(0)))
          else
             sensitivity = trigonometric_odd(b%odd(1))
@@ -167,8 +168,8 @@ contains
          grown = 0
          u_power = merge(u, 1.0_real64, power == 1)
          do n = 0, 3
-            if (abs(a(n)) > 0) grown = grown + (first + 6*n)*abs(a(n))*u_power
-            u_power = u_power*u
+            if (abs(a(n)) > 0) grown = grown + product_or_infinity((first + 6*n)*abs(a(n)), u_power)
+            u_power = product_or_infinity(u_power, u)
          end do
       end function grown
    end subroutine weigh

@@ -190,6 +190,10 @@ contains
       real(wp) :: after, radial, outward(3)
 
       after = flight_time(motion, piece)
+      if (is_nan(after)) then
+         call fail(error, code_domain, 'string: no number tells when a flight ends')
+         return
+      end if
       event%time = piece%start + after
       event%position = piece%position + piece%velocity*after
       event%position(3) = event%position(3) - motion%gravity*after**2/2

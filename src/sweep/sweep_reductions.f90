@@ -68,7 +68,7 @@ contains
       real(wp), intent(in) :: values(:)
       real(wp), intent(inout) :: reduction(:)        !! Items and bins
       real(wp), dimension(lanes) :: least, greatest, total, found
-      real(wp) :: x, position
+      real(wp) :: x, known, position
       integer, allocatable :: counts(:, :)
       integer :: place(block_points)
       integer :: i, lane, whole, n
@@ -82,20 +82,23 @@ contains
       do i = 1, whole, lanes
          do lane = 1, lanes
             x = values(i + lane - 1)
-            ! A NaN compares with nothing.
-            least(lane) = merge(x, least(lane), x < least(lane))
-            greatest(lane) = merge(x, greatest(lane), x > greatest(lane))
             found(lane) = found(lane) + merge(1.0_wp, 0.0_wp, x == x)
             total(lane) = total(lane) + merge(x, 0.0_wp, x == x)
+            ! In the place of a NaN, of which < would trap, what changes nothing.
+            known = merge(x, least(lane), x == x)
+            least(lane) = merge(known, least(lane), known < least(lane))
+            known = merge(x, greatest(lane), x == x)
+            greatest(lane) = merge(known, greatest(lane), known > greatest(lane))
          end do
       end do
       do i = whole + 1, n
          lane = i - whole
          x = values(i)
+         if (x /= x) cycle
          if (x < least(lane)) least(lane) = x
          if (x > greatest(lane)) greatest(lane) = x
-         if (x == x) found(lane) = found(lane) + 1
-         if (x == x) total(lane) = total(lane) + x
+         found(lane) = found(lane) + 1
+         total(lane) = total(lane) + x
       end do
       if (bins%is_log) then
          do i = 1, n
@@ -108,12 +111,13 @@ contains
       else
          do i = 1, n
             x = values(i)
-            position = (x - bins%from)*bins%per_unit
-            position = merge(position, 0.0_wp, x >= bins%from)
-            position = merge(position, 0.0_wp, x <= bins%to)
+            known = merge(x, bins%from, x == x)
+            position = (known - bins%from)*bins%per_unit
+            position = merge(position, 0.0_wp, known >= bins%from)
+            position = merge(position, 0.0_wp, known <= bins%to)
             place(i) = min(int(position), bins%count - 1) + 1
-            place(i) = merge(place(i), 0, x >= bins%from)
-            place(i) = merge(place(i), bins%count + 1, .not. x > bins%to)
+            place(i) = merge(place(i), 0, known >= bins%from)
+            place(i) = merge(place(i), bins%count + 1, .not. known > bins%to)
             place(i) = merge(place(i), bins%count + 2, x == x)
          end do
       end if

@@ -41,7 +41,7 @@ expect_match '^closed_form to a stated accuracy. Position at times within the 10
 expect_match '^  1e-6 *[1-9].[0-9]E-0[789] .* x'
 expect_match '^[0-9]* cells; [0-9]* capped.*; 0 failed'
 checks=$((checks + 1))
-grep -q -i nan out && complain 'no result is NaN'
+grep -q -i -w nan out && complain 'no result is NaN'
 for question in position position_1000 period roots gaps functions; do
    checks=$((checks + 1))
    [ -s record/study_$question.gp ] || complain "study_$question.gp is missing"
