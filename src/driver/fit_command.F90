@@ -68,8 +68,8 @@ contains
          end do
       end if
       if (result%is_converged) then
-         if (option_given(arguments, '--profile')) call find_profile(result, request, threads)
-         if (copies > 0) call find_bootstrap(result, request, copies, seed, threads)
+         if (option_given(arguments, '--profile')) call find_profile(result, request, data, threads)
+         if (copies > 0) call find_bootstrap(result, request, data, copies, seed, threads)
       else
          status = 1
       end if

@@ -4,9 +4,13 @@ module kyvadlo_fit_intervals
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
 !$ use omp_lib, only: omp_get_max_threads
    use kyvadlo_fit_bootstrap, only: fit_copy, quantiles
+   use kyvadlo_fit_data, only: column_period, fit_data_type
+   use kyvadlo_fit_model, only: model_type
+   use kyvadlo_fit_places, only: new_model
    use kyvadlo_fit_profile, only: profile_end
    use kyvadlo_fit_request, only: fit_request_type, free_type
    use kyvadlo_fit_result, only: fit_result_type
+   use kyvadlo_fit_unknowns, only: place_at
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite, is_nan, quiet_nan_real64
    use kyvadlo_scene_groups
@@ -28,15 +32,20 @@ module kyvadlo_fit_intervals
 contains
 
    !> By profile likelihood, for every number whose sigma is known.
-   subroutine find_profile(result, request, threads)
+   subroutine find_profile(result, request, data, threads)
       type(fit_result_type), intent(inout) :: result
       type(fit_request_type), intent(in) :: request
+      type(fit_data_type), intent(in) :: data
       integer, intent(in) :: threads                   !! 0: all there are
       type(progress_type) :: progress
+      type(model_type) :: model
       integer, allocatable :: tasks(:, :)              !! (3, n): free setting, element, side
-      real(wp), allocatable :: ends(:)
+      real(wp), allocatable :: ends(:), x(:)
+      real(wp) :: least
       integer :: i, k, n, side
 
+      call keep_bounds(result, request, data, model, x)
+      least = least_squares(result)
       n = 2*sum(result%of%elements)
       allocate (tasks(3, n), ends(n))
       n = 0
@@ -45,7 +54,7 @@ contains
             one%least = quiet_nan_real64
             one%most = quiet_nan_real64
             do k = 1, one%elements
-               if (.not. (one%is_known(k) .and. is_finite(one%sigma(k)))) cycle
+               if (.not. (one%is_known(k) .and. is_finite(one%sigma(k)))) cycle   ! Comparing a NaN may trap.
                one%least(k) = one%value(k)
                one%most(k) = one%value(k)
                if (.not. one%sigma(k) > 0) cycle
@@ -60,8 +69,8 @@ contains
       !$omp parallel do num_threads(thread_number(threads, n)) schedule(dynamic) default(shared)
       do i = 1, n
          associate (one => result%of(tasks(1, i)))
-            call profile_end(result%model, result%x, one%setting, tasks(2, i), one%sigma(tasks(2, i)), tasks(3, i), &
-               ends(i))
+            call profile_end(model, x, one%setting, tasks(2, i), one%value(tasks(2, i)), one%sigma(tasks(2, i)), &
+               least, tasks(3, i), ends(i))
          end associate
          !$omp critical (kyvadlo_fit_progress)
          call show(progress)
@@ -80,22 +89,25 @@ contains
    end subroutine find_profile
 
    !> By bootstrap, of the numbers that the data tell.
-   subroutine find_bootstrap(result, request, copies, seed, threads)
+   subroutine find_bootstrap(result, request, data, copies, seed, threads)
       type(fit_result_type), intent(inout) :: result
       type(fit_request_type), intent(in) :: request
+      type(fit_data_type), intent(in) :: data
       integer, intent(in) :: copies, seed
       integer, intent(in) :: threads                   !! 0: all there are
       type(progress_type) :: progress
-      real(wp), allocatable :: numbers(:, :, :)
+      type(model_type) :: model
+      real(wp), allocatable :: numbers(:, :, :), x(:)
       real(wp) :: ends(2)
       logical, allocatable :: is_found(:)
       integer :: i, k
 
+      call keep_bounds(result, request, data, model, x)
       allocate (numbers(3, size(settings), copies), is_found(copies))
       call begin(progress, copies)
       !$omp parallel do num_threads(thread_number(threads, copies)) schedule(dynamic) default(shared)
       do i = 1, copies
-         call fit_copy(result%model, result%x, seed, i, numbers(:, :, i), is_found(i))
+         call fit_copy(model, x, seed, i, numbers(:, :, i), is_found(i))
          !$omp critical (kyvadlo_fit_progress)
          call show(progress)
          !$omp end critical (kyvadlo_fit_progress)
@@ -121,6 +133,37 @@ contains
          ' more found no minimum'
    end subroutine find_bootstrap
 
+   !> The sum of squares at the minimum, of losses where there are any; and of priors.
+   real(wp) function least_squares(result)
+      type(fit_result_type), intent(in) :: result
+      type(model_type) :: model
+      real(wp) :: f(result%model%residuals)
+      logical :: failed
+
+      model = result%model
+      call model%evaluate(result%x, f, failed)
+      least_squares = sum(f**2)
+   end function least_squares
+
+   !> The model in unknowns that keep the bounds (sigmas are found without), and where searches begin: the minimum, a
+   !> little away from bounds.
+   subroutine keep_bounds(result, request, data, model, x)
+      type(fit_result_type), intent(in) :: result
+      type(fit_request_type), intent(in) :: request
+      type(fit_data_type), intent(in) :: data
+      type(model_type), intent(out) :: model
+      real(wp), allocatable, intent(out) :: x(:)
+      type(model_type) :: fresh
+      logical :: is_estimated(column_period)
+
+      call new_model(fresh, request, data, is_estimated)
+      model = result%model
+      model%motion%of = fresh%motion%of
+      model%motion%number = result%number
+      allocate (x(size(model%motion%of)))
+      call place_at(model%motion, x, away=.true.)
+   end subroutine keep_bounds
+
    !> An end, or the bound of its setting that comes before it.
    pure real(wp) function within(free, value, side) result(ends)
       type(free_type), intent(in) :: free
@@ -140,7 +183,11 @@ contains
       end select
       ends = value
       if (abs(bound) >= huge(bound)) return
-      if (is_nan(value) .or. side*(value - bound) > 0) ends = bound
+      if (is_nan(value)) then
+         ends = bound
+      else if (side*(value - bound) > 0) then
+         ends = bound
+      end if
    end function within
 
    integer function thread_number(wanted, tasks) result(threads)

@@ -65,8 +65,10 @@ contains
             if (.not. (is_finite(value) .or. is_nan(value))) call fail(error, code_input, 'table:'//integer_text(i)// &
                ': a value is infinite')
             value = merge(data%sigma(i, j), 1.0_wp, data%has_sigma(j))
-            if (.not. (is_nan(value) .or. is_finite(value) .and. value > 0)) call fail(error, code_input, 'table:'// &
-               integer_text(i)//': a standard deviation must be positive')
+            if (allocated(error)) return
+            if (is_nan(value)) cycle
+            if (.not. (is_finite(value) .and. value > 0)) call fail(error, code_input, 'table:'//integer_text(i)// &
+               ': a standard deviation must be positive')
             if (allocated(error)) return
          end do
       end do

@@ -25,17 +25,18 @@ module kyvadlo_fit_profile
 contains
 
    !> One end of an interval of 68.27 per cent. NaN: chi2 does not grow by 1 on this side.
-   subroutine profile_end(model, x, setting, element, sigma, side, ends)
+   subroutine profile_end(model, x, setting, element, best, sigma, least, side, ends)
       type(model_type), intent(in) :: model             !! Around its minimum
-      real(wp), intent(in) :: x(:)                      !! The minimum
+      real(wp), intent(in) :: x(:)                      !! Where searches begin, near the minimum
       integer, intent(in) :: setting, element
-      real(wp), intent(in) :: sigma                     !! Of the element, from the covariance
+      real(wp), intent(in) :: best                      !! The element's value at the minimum
+      real(wp), intent(in) :: sigma                     !! And its standard deviation, from the covariance
+      real(wp), intent(in) :: least                     !! chi2 there, or the sum of the losses
       integer, intent(in) :: side                       !! -1 or 1
       real(wp), intent(out) :: ends
       type(pulled_type) :: pulled
       type(minimum_type) :: minimum
-      real(wp) :: y(size(x)), start(size(x)), squares, value, least, distance, root, below, above, root_below
-      real(wp) :: root_above
+      real(wp) :: y(size(x)), squares, distance, root, below, above, root_below, root_above
       integer :: tries
       logical :: failed
       integer, parameter :: most_tries = 25
@@ -49,18 +50,15 @@ contains
       pulled%setting = setting
       pulled%element = element
       pulled%width = sigma
-      call look(x, least, value, failed)
-      if (failed) return
       ! Were chi2 a parabola, a pull towards two sigmas with a width of one would end at one.
       distance = 2*sigma
       below = 0
       root_below = 0
       above = huge(above)
       root_above = 0
-      start = x
       do tries = 1, most_tries
-         pulled%target = value + side*distance
-         y = start
+         pulled%target = best + side*distance
+         y = x
          call minimise(pulled, y, minimum, 1e-9_wp, 100)
          failed = .not. minimum%is_found
          if (.not. failed) call look(y, squares, ends, failed)
@@ -76,7 +74,6 @@ contains
          if (root < 1) then
             below = distance
             root_below = root
-            start = y
          else
             above = distance
             root_above = root

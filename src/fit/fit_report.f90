@@ -145,7 +145,8 @@ contains
       real(wp), intent(in) :: value, sigma
 
       digits = 7
-      if (.not. (sigma > 0 .and. abs(value) > 0 .and. is_finite(value))) return
+      if (.not. (is_finite(value) .and. is_finite(sigma))) return   ! A NaN is not even compared: that may trap.
+      if (.not. (sigma > 0 .and. abs(value) > 0)) return
       digits = max(1, min(15, floor(log10(abs(value))) - floor(log10(sigma)) + sigma_digits))
    end function digits_by
 

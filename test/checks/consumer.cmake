@@ -76,10 +76,14 @@ if(PKG_CONFIG AND GFORTRAN)
   endif()
 endif()
 
-# The shared libraries show nothing but our names: modules, the F77 names, and of C what kyvadlo.h declares.
+# The shared libraries show nothing but our names: modules, the F77 names, and of C what kyvadlo.h and kyvadlo_gsl.h declare.
 find_program(NM nm)
 if(SHARED AND NM)
   file(READ ${SOURCE}/src/interfaces/kyvadlo.h header)
+  if(WITH_GSL)
+    file(READ ${SOURCE}/src/interfaces/kyvadlo_gsl.h header_with_gsl)
+    string(APPEND header "${header_with_gsl}")
+  endif()
   foreach(name kyvadlo_elliptic kyvadlo_core kyvadlo_c kyvadlo kyvadlo_slatec)
     file(GLOB_RECURSE library ${WORK}/prefix/*/lib${name}.so)
     execute_process(COMMAND ${NM} -D --defined-only ${library} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
@@ -105,14 +109,14 @@ if(SHARED AND NM)
   endforeach()
 endif()
 
-# And all that kyvadlo.h declares is there.
+# And all that they declare is there.
 if(SHARED AND NM)
   string(REGEX MATCHALL "[ *]kyvadlo_[a-z0-9_]+\\(" declared "${header}")
   list(LENGTH declared count)
   foreach(name IN LISTS declared)
     string(REGEX REPLACE "[ *(]" "" name "${name}")
     if(NOT name IN_LIST all_symbols)
-      message(FATAL_ERROR "kyvadlo.h declares ${name}, which no library defines")
+      message(FATAL_ERROR "a header declares ${name}, which no library defines")
     endif()
   endforeach()
   if(count LESS 50)

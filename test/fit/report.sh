@@ -90,7 +90,7 @@ echo "&output duration=1797 samples=600 quantities='position' /" >>"$scratch/fit
 "$kyvadlo" simulate "$scratch/fitted.nml" --output "$scratch/samples" || complain "foucault: fitted scene"
 awk -F, 'FNR == 1 { next } FILENAME ~ /samples$/ { x[$1 + 0] = $2; y[$1 + 0] = $3; next }
    { seen++; model = $2 == "x" ? x[$1 + 0] : y[$1 + 0]; d = model - $4; r = $3 - $4 - $5; s = $5/0.005 - $6
-     if (!(d < 1e-6 && d > -1e-6 && r < 1e-12 && r > -1e-12 && s < 1e-8 && s > -1e-8)) { print; bad = 1 } }
+     if (!(d < 1e-6 && d > -1e-6 && r < 1e-12 && r > -1e-12 && s < 1e-6 && s > -1e-6)) { if (!bad) print; bad = 1 } }
    END { exit bad || seen != 1200 }' "$scratch/samples" "$scratch/residuals" || complain 'residuals, model and fitted scene differ'
 # Measured less model everywhere: one reading too high is positive in the file and among the outliers.
 awk -F, -v OFS=, '$1 == 30 { $2 += 1 } { print }' $examples/foucault.csv >"$scratch/outlier.csv"
@@ -99,6 +99,19 @@ awk -F, -v OFS=, '$1 == 30 { $2 += 1 } { print }' $examples/foucault.csv >"$scra
 "$kyvadlo" fit $examples/foucault.nml "$scratch/outlier.csv" --format json --residuals "$scratch/residuals" >"$scratch/json" || complain "outlier: status $?"
 grep -q '"outliers": .*"column": "x", "residual_in_sigmas": 1\.9[0-9]*e+02' "$scratch/json" || complain "outlier: $(grep outliers "$scratch/json")"
 awk -F, '$1 == 30 && $2 == "x" { exit !($5 > 0.9 && $6 > 180) }' "$scratch/residuals" || complain 'the outlier is negative in the file'
+
+# What is not told, and what of it is known: of angles the ratio of length and gravity, whatever the start; of a support that may yield
+# both ways, the sums that make the periods (the data were made with 67 m and a stiff one).
+sed 's/length = 0.8/length = 1/; s/gravity linear/length gravity linear/' $examples/laboratory.nml >"$scratch/valley.nml"
+"$kyvadlo" fit "$scratch/valley.nml" $examples/laboratory.csv --format json >"$scratch/json" || complain "valley: status $?"
+grep -q '"undetermined": \["length/gravity"\]' "$scratch/json" || complain "valley: $(grep undetermined "$scratch/json")"
+ratio=$(sed -n 's|.*"known": "length/gravity = \([^ ]*\) +- .*|\1|p' "$scratch/json")
+same 'length/gravity' "$ratio" 0.0815494 3e-5
+sed "s/'length latitude/'extra_length_x extra_length_y length latitude/" $examples/foucault.nml >"$scratch/support.nml"
+"$kyvadlo" fit "$scratch/support.nml" $examples/foucault.csv >"$scratch/out" || complain "support: status $?"
+grep -q '^The data do not tell: extra_length_x/extra_length_y/length$' "$scratch/out" || complain "support: $(grep tell "$scratch/out")"
+same 'length and extra length' "$(sed -n 's/^They tell: extra_length_x + length = \([^ ]*\) .*/\1/p' "$scratch/out")" 67 3e-4
+grep -q '^They tell: extra_length_x - extra_length_y = ' "$scratch/out" || complain "support: $(grep tell "$scratch/out")"
 
 # What a fit would do is said before it, on standard error.
 "$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --explain >"$scratch/out" 2>"$scratch/error" || complain "explain: status $?"
