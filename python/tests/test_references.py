@@ -72,7 +72,7 @@ def ulps(actual, expected):
 
 def test_every_file_is_read_here():
     apart = {"cubic", "theta_complex", "legendre_extremes", "legendre_peers",   # below
-             "grid_points"}   # decimals of a grid of the command line: no function of the package
+             "grid_points", "events"}   # decimals of a grid of the command line: no function of the package
     assert {path.stem for path in FOLDER.glob("*.dat")} == {*FUNCTIONS, *MOTION, *STATES, *apart}
 
 

@@ -61,7 +61,7 @@ module kyvadlo_commands
       option_type('simulate', '--output', 'FILE', &
          'write FILE, NetCDF if it ends in .nc, instead of standard output; it appears when whole'), &
       option_type('simulate', '--events', 'FILE', &
-         'when the string goes slack and taut, as CSV; else comment lines between the samples'), &
+         'of &event and of the string (slack, taut), as CSV; else comment lines between samples'), &
       option_type('simulate', '--plot', 'FILE', &
          'draw FILE, .svg or .png, by gnuplot; its script and data stand beside, .gp and .dat'), &
       option_type('simulate', '--pendulum', 'NAME', 'the pendulum of this name or number, of a scene with several'), &

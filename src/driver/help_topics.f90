@@ -187,6 +187,8 @@ contains
          topic = 'scenes'
       case ('output', 'fit', 'sweep')
          topic = group
+      case ('event')
+         topic = 'output'
       case ('camera')
          topic = 'fit'
       case default

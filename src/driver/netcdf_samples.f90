@@ -3,6 +3,7 @@ module kyvadlo_netcdf_samples
    use netcdf
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: code_file, code_unsupported, error_type, fail
@@ -20,6 +21,9 @@ module kyvadlo_netcdf_samples
       integer :: taken = 0, events = 0                 !! So far
       integer, allocatable :: variables(:)
       integer :: event_variables(6) = 0
+      integer, allocatable :: value_variables(:)       !! Of the columns behind the time, at events asked for
+      character(len=64), allocatable :: kinds(:)       !! What happens, by number
+      logical :: has_requests = .false., may_end = .false. !! Events are asked for, one of which ends the simulation
       character(len=:), allocatable :: title, text, method
    contains
       procedure :: begin => begin_netcdf
@@ -27,8 +31,9 @@ module kyvadlo_netcdf_samples
       procedure :: note => note_netcdf
    end type netcdf_samples_type
 
-   !> What happened, by number.
-   character(len=*), parameter :: kinds(4) = [character(len=19) :: 'slack', 'taut', 'rebound', 'taut after rattling']
+   !> What happens to a string.
+   character(len=64), parameter :: kinds_of_string(4) = [character(len=64) :: 'slack', 'taut', 'rebound', &
+      'taut after rattling']
 
 contains
 
@@ -39,11 +44,18 @@ contains
       type(simulation_type), intent(in) :: simulation
       character(len=*), intent(in) :: method           !! How the samples are computed, in words
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       sink%title = simulation%pendulum%name
       sink%text = simulation%text
       sink%method = method
       sink%samples = simulation%settings%samples
+      sink%kinds = kinds_of_string
+      do i = 1, size(simulation%settings%events)
+         sink%kinds = [sink%kinds, simulation%settings%events(i)%names]
+      end do
+      sink%has_requests = size(simulation%settings%events) > 0
+      sink%may_end = any(simulation%settings%events%stops)
       if (sink%samples > huge(0)) then
          call fail(error, code_unsupported, 'a NetCDF file takes 2147483647 samples; write CSV')
          return
@@ -56,9 +68,10 @@ contains
    subroutine begin_netcdf(sink, columns)
       class(netcdf_samples_type), intent(inout) :: sink
       type(column_type), intent(in) :: columns(:)
-      integer :: time, event, i
+      integer :: time, event, i, j
+      character(len=:), allocatable :: meanings
 
-      call keep(sink, nf90_def_dim(sink%file, 'time', int(sink%samples), time))
+      call keep(sink, nf90_def_dim(sink%file, 'time', merge(NF90_UNLIMITED, int(sink%samples), sink%may_end), time))
       call keep(sink, nf90_def_dim(sink%file, 'event', NF90_UNLIMITED, event))
       call put_text(sink, NF90_GLOBAL, 'Conventions', 'CF-1.10')
       call put_text(sink, NF90_GLOBAL, 'title', sink%title)
@@ -75,14 +88,29 @@ contains
          call put_text(sink, sink%variables(i), 'units', trim(columns(i)%unit))
          call put_text(sink, sink%variables(i), 'long_name', trim(columns(i)%meaning))
       end do
-      call define_event(1, 'event_time', NF90_DOUBLE, 's', 'time of an event of the string')
+      call define_event(1, 'event_time', NF90_DOUBLE, 's', 'time of an event')
       call define_event(2, 'event_x', NF90_DOUBLE, 'm', 'its place')
       call define_event(3, 'event_y', NF90_DOUBLE, 'm', 'its place')
       call define_event(4, 'event_z', NF90_DOUBLE, 'm', 'its place')
-      call define_event(5, 'event_energy_lost', NF90_DOUBLE, 'm2 s-2', 'energy per mass lost')
+      call define_event(5, 'event_energy_lost', NF90_DOUBLE, 'm2 s-2', 'energy per mass that a string lost')
       call define_event(6, 'event_kind', NF90_INT, '1', 'what happened')
-      call keep(sink, nf90_put_att(sink%file, sink%event_variables(6), 'flag_values', [1, 2, 3, 4]))
-      call put_text(sink, sink%event_variables(6), 'flag_meanings', 'slack taut rebound taut_after_rattling')
+      call keep(sink, nf90_put_att(sink%file, sink%event_variables(6), 'flag_values', [(i, i=1, size(sink%kinds))]))
+      meanings = ''
+      do i = 1, size(sink%kinds)
+         meanings = meanings//' '//trim(sink%kinds(i))
+         do j = len(meanings) - len_trim(sink%kinds(i)) + 1, len(meanings)
+            if (meanings(j:j) == ' ') meanings(j:j) = '_'
+         end do
+      end do
+      call put_text(sink, sink%event_variables(6), 'flag_meanings', meanings(2:))
+      allocate (sink%value_variables(size(columns)), source=0)
+      do i = 2, merge(size(columns), 0, sink%has_requests)
+         if (any(columns(i)%name == ['x', 'y', 'z'])) cycle
+         call keep(sink, nf90_def_var(sink%file, 'event_'//trim(columns(i)%name), NF90_DOUBLE, [event], &
+            sink%value_variables(i)))
+         call put_text(sink, sink%value_variables(i), 'units', trim(columns(i)%unit))
+         call put_text(sink, sink%value_variables(i), 'long_name', 'at events asked for: '//trim(columns(i)%meaning))
+      end do
       call keep(sink, nf90_enddef(sink%file))
 
    contains
@@ -122,16 +150,23 @@ contains
    subroutine note_netcdf(sink, event)
       class(netcdf_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
-      real(wp) :: numbers(5)
+      real(wp) :: numbers(5), value
       integer :: i
 
       sink%events = sink%events + 1
       numbers = [event%time, event%position, event%energy_lost]
+      if (event%request > 0) numbers(5) = quiet_nan_real64
       do i = 1, 5
          call keep(sink, nf90_put_var(sink%file, sink%event_variables(i), numbers(i:i), start=[sink%events], count=[1]))
       end do
-      call keep(sink, nf90_put_var(sink%file, sink%event_variables(6), [findloc(kinds == event%what, .true., 1)], &
+      call keep(sink, nf90_put_var(sink%file, sink%event_variables(6), [findloc(sink%kinds == event%what, .true., 1)], &
          start=[sink%events], count=[1]))
+      do i = 1, size(sink%value_variables)
+         if (sink%value_variables(i) == 0) cycle
+         value = quiet_nan_real64
+         if (event%request > 0) value = event%values(i)
+         call keep(sink, nf90_put_var(sink%file, sink%value_variables(i), [value], start=[sink%events], count=[1]))
+      end do
    end subroutine note_netcdf
 
    !> Ends the file; it has its final name only after that. Error: the first that NetCDF reported.

@@ -223,7 +223,7 @@ contains
       logical :: shows
 
       if (option_given(arguments, '--events')) then
-         lines = new_csv_samples(output, events, path%threads)
+         lines = new_csv_samples(output, events, path%threads, size(simulation%settings%events) > 0)
       else
          lines = new_csv_samples(output, threads=path%threads)
       end if

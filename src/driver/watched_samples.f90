@@ -85,8 +85,11 @@ contains
    subroutine note_watched(sink, event)
       class(watched_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
+      type(scene_event_type) :: seen
 
-      if (associated(sink%samples)) call sink%samples%note(event)
+      seen = event
+      if (allocated(seen%values)) seen%values = seen%values(:sink%columns)
+      if (associated(sink%samples)) call sink%samples%note(seen)
       if (associated(sink%picture)) call sink%picture%note(event)
    end subroutine note_watched
 

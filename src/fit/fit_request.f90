@@ -163,7 +163,7 @@ contains
          among_all = 0
          do i = 1, size(settings)
             if (settings(i)%name /= free%name .or. any(settings(i)%group == [pendulum_group, output_group, &
-               fit_group])) &
+               fit_group, event_group])) &
                cycle
             stands = any_named(groups, group_names(settings(i)%group))
             among_all = among_all + 1
@@ -185,7 +185,7 @@ contains
       end if
       if (found > 0) then
          if (any(settings(found)%rule == [rule_text, rule_truth, rule_count]) .or. &
-            any(settings(found)%group == [output_group, fit_group])) found = 0
+            any(settings(found)%group == [output_group, fit_group, event_group])) found = 0
       end if
       if (found == 0) then
          call refuse(error, fit, line, 'free: no setting is named '//shown(trim(free%name))// &

@@ -28,7 +28,7 @@ module kyvadlo_integrator
    use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
    implicit none
    private
-   public :: integration_type, new_integration, integrate
+   public :: integration_type, new_integration
    public :: failure_request, failure_short_step, failure_events, failure_steps, failure_tangential
 
    !> Why `advance` failed.
@@ -47,7 +47,7 @@ module kyvadlo_integrator
       !> Samples between steps, by polynomial and by a step of their own
       integer(int64) :: interpolated = 0, stepped = 0
       integer :: failure = 0                           !! One of the `failure_*` constants after an error of `advance`
-      real(wp) :: time = 0                             !! How far the integration got [s]
+      real(wp) :: time = 0, step_start = 0             !! How far the integration got, and by its last step from [s]
       real(wp) :: most_steps = huge(1.0_wp)            !! Taken and repeated; more fail
       integer(int64) :: evaluations = 0                !! Of the right side, by GSL
       type(stepper_type), private :: stepper
@@ -66,7 +66,7 @@ module kyvadlo_integrator
       real(wp) :: azimuth = 0, azimuth_before = 0
       real(wp) :: first_azimuth = 0                    !! The first one known; NaN as long as there is none [rad]
    contains
-      procedure, non_overridable :: advance, finish
+      procedure, non_overridable :: advance, step_on, within, finish
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
@@ -121,11 +121,8 @@ contains
       end if
       if (allocated(error)) return
       call begin_motion(forces, p, v, is_taut, slack, error, was_put)
-      if (allocated(error)) then
-         error%message = 'integrate: '//error%message
-         return
-      end if
-
+      if (allocated(error)) error%message = 'integrate: '//error%message
+      if (allocated(error)) return
       wants_work = .true.
       if (present(with_work)) wants_work = with_work
       if (present(with_azimuth)) run%with_azimuth = with_azimuth
@@ -165,9 +162,8 @@ contains
          if (present(azimuth)) run%azimuth = azimuth
          call move(forces, is_taut, 0.0_wp, position, velocity, acceleration, tension, powers)
          ! What is left of accelerations that balance has no direction.
-         associate (effects => forces%effects)
-            rounding = 64*epsilon(tension)*(forces%weight + norm2(effects%pivot_amplitude*effects%pivot_frequency**2))
-         end associate
+         rounding = 64*epsilon(tension)*(forces%weight + norm2(forces%effects%pivot_amplitude* &
+            forces%effects%pivot_frequency**2))
          if (maxval(abs(acceleration(:2))) > rounding) run%azimuth = atan2(acceleration(2), acceleration(1))
       end if
       run%azimuth_before = run%azimuth
@@ -193,15 +189,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(out), optional :: azimuths(:)             !! (n) turns counted from step to step [rad]
       real(wp), intent(out), optional :: matrices(:, :, :)       !! (6, p, n) derivatives by `changes`
-      real(wp) :: gap
       integer :: i
 
       do i = 1, size(times)
          call check_time(run, times(i), error)
          if (allocated(error)) exit
-         gap = times(i) - run%last_time
          do while (run%stepper%time < times(i) .and. run%failure == 0)
-            call next_step(run, times(i), gap)
+            call next_step(run, times(i), times(i) - run%last_time)
          end do
          run%time = run%stepper%time
          call tell_failure(run, error)
@@ -223,6 +217,42 @@ contains
       if (present(azimuths)) azimuths(i:) = quiet_nan_real64
       if (present(matrices)) matrices(:, :, i:) = quiet_nan_real64
    end subroutine advance
+
+   !> One step, for who looks at every one: not beyond the next sample's time, which comes `gap` after the last one's.
+   subroutine step_on(run, sample_time, gap, error)
+      class(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: sample_time, gap          !! Later than `run%time` [s]
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_time(run, sample_time, error)
+      if (allocated(error)) return
+      call next_step(run, sample_time, gap)
+      run%step_start = run%stepper%start
+      run%time = run%stepper%time
+      call tell_failure(run, error)
+   end subroutine step_on
+
+   !> The motion between `run%step_start` and `run%time`, as samples show it, or by a step of its own.
+   subroutine within(run, time, exactly, position, velocity, tension, work, azimuth)
+      class(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: time                      !! [s]
+      logical, intent(in) :: exactly
+      real(wp), intent(out) :: position(3), velocity(3), tension, work(2), azimuth
+      real(wp) :: kept(3), y(unknowns), rates(unknowns)
+
+      if (exactly .and. time < run%time) then
+         call trial_step(run%stepper, time - run%stepper%start, y, rates, tension)
+         position = run%stepper%problem%base + y(1:3)
+         velocity = y(4:6)
+         work = works(run, y)
+      else
+         kept = [run%work_time, run%work]
+         call sample(run, time, position, velocity, tension, work(1), work(2))
+         run%work_time = kept(1)
+         run%work = kept(2:)
+      end if
+      azimuth = turned_azimuth(position(1), position(2), velocity(1), velocity(2), run%azimuth_before)
+   end subroutine within
 
    !> Whether a time may be asked for.
    subroutine check_time(run, time, error)
@@ -293,18 +323,15 @@ contains
             if (run%event_count > most_events) run%failure = failure_events
             if (run%contact%is_tangential) run%failure = failure_tangential
             if (run%failure > 0) return
+         end if
+         if (run%has_contact .or. run%is_at_knot) then
+            ! At a knot the third derivative jumps.
             call forget_steps(run)
             call note_step(run)
             run%has_contact = .false.
          end if
-         if (run%is_at_knot) then
-            ! The third derivative jumps here.
-            call forget_steps(run)
-            call note_step(run)
-         end if
          knot = next_knot(stepper%problem%forces%effects, stepper%time)
-         limit = knot
-         if (target + gap > stepper%time + stepper%next) limit = min(limit, target)
+         limit = merge(min(knot, target), knot, target + gap > stepper%time + stepper%next)
          ! Where samples are far apart no polynomial is wanted.
          is_far = gap > 2*stepper%next
          call take_step(stepper, limit, failed)
@@ -331,8 +358,8 @@ contains
       type(integration_type), intent(inout) :: run
 
       run%azimuth_before = run%azimuth
-      associate (p => run%stepper%problem%base + run%stepper%y(1:3), v => run%stepper%y(4:6))
-         run%azimuth = turned_azimuth(p(1), p(2), v(1), v(2), run%azimuth)
+      associate (base => run%stepper%problem%base, y => run%stepper%y)
+         run%azimuth = turned_azimuth(base(1) + y(1), base(2) + y(2), y(4), y(5), run%azimuth)
       end associate
       if (.not. is_finite(run%first_azimuth)) run%first_azimuth = run%azimuth
    end subroutine turn_azimuth
@@ -444,10 +471,8 @@ contains
       real(wp) :: work(2)
 
       work = 0
-      associate (problem => run%stepper%problem)
-         if (problem%drag_work > 0) work(1) = y(problem%drag_work)
-         if (problem%pivot_work > 0) work(2) = y(problem%pivot_work)
-      end associate
+      if (run%stepper%problem%drag_work > 0) work(1) = y(run%stepper%problem%drag_work)
+      if (run%stepper%problem%pivot_work > 0) work(2) = y(run%stepper%problem%pivot_work)
    end function works
 
    subroutine append(run, event)
@@ -471,30 +496,5 @@ contains
 
       write (text, '(*(es24.16))') numbers
    end function listed
-
-   !> The whole motion in one call: new_integration, advance, finish.
-   subroutine integrate(effects, length, gravity, start_position, start_velocity, times, tolerance, positions, &
-      velocities, tensions, drag_work, pivot_work, error)
-      type(effects_type), intent(in) :: effects
-      real(wp), intent(in) :: length, gravity                    !! [m], [m/s2]
-      real(wp), intent(in) :: start_position(3), start_velocity(3) !! Relative to the pivot [m], [m/s]
-      real(wp), intent(in) :: times(:)                           !! (n) ascending from 0 [s]
-      real(wp), intent(in) :: tolerance                          !! Of the error of a step
-      real(wp), intent(out) :: positions(:, :), velocities(:, :) !! (3, n)
-      real(wp), intent(out) :: tensions(:)                       !! (n)
-      real(wp), intent(out) :: drag_work(:), pivot_work(:)       !! (n)
-      type(error_type), allocatable, intent(out) :: error
-      type(integration_type) :: run
-
-      drag_work = quiet_nan_real64
-      pivot_work = drag_work
-      tensions = drag_work
-      positions = quiet_nan_real64
-      velocities = positions
-      call new_integration(run, effects, length, gravity, start_position, start_velocity, tolerance, error)
-      if (.not. allocated(error)) &
-         call run%advance(times, positions, velocities, tensions, drag_work, pivot_work, error)
-      call run%finish()
-   end subroutine integrate
 
 end module kyvadlo_integrator

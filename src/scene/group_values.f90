@@ -179,6 +179,8 @@ contains
       case (rule_count)
          ! Whole numbers are exact in a double up to 1/epsilon.
          holds = number >= 2 .and. number <= 1/epsilon(1.0_wp) .and. abs(number - anint(number)) <= 0
+      case (rule_direction)
+         holds = abs(number) <= 1 .and. abs(number - anint(number)) <= 0
       end select
    end function is_in_range
 

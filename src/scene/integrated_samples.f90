@@ -1,5 +1,6 @@
 !> Samples of an integrated scene; beside it, on request, the same at a tenth of the tolerance.
 module kyvadlo_integrated_samples
+   use kyvadlo_crossings, only: step_watcher_type
    use kyvadlo_force_changes, only: change_type
    use kyvadlo_forces, only: mechanical_energy
    use kyvadlo_integrator, only: integration_type, new_integration
@@ -12,13 +13,14 @@ module kyvadlo_integrated_samples
    use kyvadlo_turned_azimuth, only: is_upright
    implicit none
    private
-   public :: integrated_type, begin_integration, fill_integrated, end_integration
+   public :: integrated_type, begin_integration, fill_integrated, fill_within, end_integration
 
    type :: integrated_type
       type(integration_type) :: run
       type(check_type) :: check
       type(integration_type), private :: finer
       logical, private :: is_checked = .false.
+      real(wp), private :: last_time = 0                                                 !! Of the last sample [s]
       real(wp), allocatable, private, dimension(:, :) :: positions, velocities           !! (3, block_samples)
       real(wp), allocatable, private, dimension(:, :) :: other_positions, other_velocities
    end type integrated_type
@@ -78,35 +80,80 @@ contains
       call run%finish()
    end subroutine look_ahead
 
-   !> The samples at the times of the block, relative to the pivot.
-   subroutine fill_integrated(integrated, path, block, error, matrices)
-      type(integrated_type), intent(inout) :: integrated
+   !> The samples at the times of the block, relative to the pivot; fewer where a watcher ends the run before the last.
+   subroutine fill_integrated(integrated, path, block, error, matrices, watcher)
+      type(integrated_type), intent(inout), target :: integrated
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
       type(error_type), allocatable, intent(out) :: error
       real(wp), intent(inout), optional :: matrices(:, :, :)  !! (6, p, block_samples) derivatives by the changes
+      class(step_watcher_type), intent(inout), optional :: watcher
       real(wp), dimension(block%count) :: tensions, drag_work, pivot_work, azimuths
+      integer :: first, last
+
+      first = 1
+      last = block%count
+      do while (first <= block%count)
+         if (present(watcher)) then
+            last = first
+            call watch_steps(integrated, block%values(first, 1), watcher, error)
+            if (watcher%is_over) block%count = first - 1
+            if (watcher%is_over .or. allocated(error)) exit
+         end if
+         associate (times => block%values(first:last, 1), p => integrated%positions(:, first:last), &
+            v => integrated%velocities(:, first:last), tension => tensions(first:last), &
+            drag => drag_work(first:last), pivot => pivot_work(first:last))
+            if (present(matrices)) then
+               call integrated%run%advance(times, p, v, tension, drag, pivot, error, azimuths(first:last), &
+                  matrices(:, :, first:last))
+            else if (block%column(quantity_azimuth) > 0) then
+               call integrated%run%advance(times, p, v, tension, drag, pivot, error, azimuths(first:last))
+            else
+               call integrated%run%advance(times, p, v, tension, drag, pivot, error)
+            end if
+         end associate
+         if (allocated(error)) return
+         integrated%last_time = block%values(last, 1)
+         first = last + 1
+      end do
+      if (allocated(error)) return
+      associate (n => block%count)
+         call put_columns(path, block, integrated%positions(:, :n), integrated%velocities(:, :n), tensions(:n), &
+            drag_work(:n), pivot_work(:n), azimuths(:n))
+      end associate
+      if (integrated%is_checked) call compare(integrated, block, error)
+   end subroutine fill_integrated
+
+   !> Steps up to the time of a sample, each shown to a watcher.
+   subroutine watch_steps(integrated, time, watcher, error)
+      type(integrated_type), intent(inout), target :: integrated
+      real(wp), intent(in) :: time                            !! [s]
+      class(step_watcher_type), intent(inout) :: watcher
+      type(error_type), allocatable, intent(out) :: error
+
+      do while (integrated%run%time < time)
+         call integrated%run%step_on(time, time - integrated%last_time, error)
+         if (allocated(error)) return
+         call watcher%look(integrated%run%step_start, integrated%run%time)
+         if (watcher%is_over) return
+      end do
+   end subroutine watch_steps
+
+   !> The columns of states.
+   subroutine put_columns(path, block, positions, velocities, tensions, drag_work, pivot_work, azimuths)
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      real(wp), intent(in), dimension(:, :) :: positions, velocities !! (3, block%count)
+      real(wp), intent(in), dimension(:) :: tensions, drag_work, pivot_work, azimuths
       integer :: i
 
-      associate (values => block%values, n => block%count, column => block%column, &
-         positions => integrated%positions, velocities => integrated%velocities)
-         if (present(matrices)) then
-            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
-               pivot_work, error, azimuths, matrices(:, :, :n))
-            if (column(quantity_azimuth) > 0) values(:n, column(quantity_azimuth)) = azimuths
-         else if (column(quantity_azimuth) > 0) then
-            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
-               pivot_work, error, values(:n, column(quantity_azimuth)))
-         else
-            call integrated%run%advance(values(:n, 1), positions(:, :n), velocities(:, :n), tensions, drag_work, &
-               pivot_work, error)
-         end if
-         if (allocated(error)) return
+      associate (values => block%values, n => block%count, column => block%column)
          do i = 1, 3
             if (column(quantity_position) > 0) values(:n, column(quantity_position) + i - 1) = positions(i, :n)
             if (column(quantity_velocity) > 0) values(:n, column(quantity_velocity) + i - 1) = velocities(i, :n)
          end do
          if (column(quantity_tension) > 0) values(:n, column(quantity_tension)) = tensions
+         if (column(quantity_azimuth) > 0) values(:n, column(quantity_azimuth)) = azimuths
          if (column(quantity_drag_work) > 0) values(:n, column(quantity_drag_work)) = drag_work
          if (column(quantity_pivot_work) > 0) values(:n, column(quantity_pivot_work)) = pivot_work
          if (column(quantity_momentum) > 0) values(:n, column(quantity_momentum)) = positions(1, :n)*velocities(2, :n) &
@@ -118,8 +165,25 @@ contains
             end do
          end if
       end associate
-      if (integrated%is_checked) call compare(integrated, block, error)
-   end subroutine fill_integrated
+   end subroutine put_columns
+
+   !> The columns at times within the last step, as samples show them, or each by a step of its own.
+   subroutine fill_within(integrated, path, block, exactly)
+      type(integrated_type), intent(inout) :: integrated
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+      logical, intent(in) :: exactly
+      real(wp), dimension(3, block%count) :: positions, velocities
+      real(wp), dimension(block%count) :: tensions, azimuths
+      real(wp) :: work(2, block%count)
+      integer :: i
+
+      do i = 1, block%count
+         call integrated%run%within(block%values(i, 1), exactly, positions(:, i), velocities(:, i), tensions(i), &
+            work(:, i), azimuths(i))
+      end do
+      call put_columns(path, block, positions, velocities, tensions, work(1, :), work(2, :), azimuths)
+   end subroutine fill_within
 
    !> What the finer run says of the block.
    subroutine compare(integrated, block, error)

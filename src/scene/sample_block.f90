@@ -6,15 +6,15 @@ module kyvadlo_sample_block
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_samples, only: column_type
-   use kyvadlo_scene_groups, only: settings, turning_frame_group
+   use kyvadlo_scene_groups, only: moving_pivot_group, settings, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_swing_ellipse, only: apsides_type, ellipse_type, next_ellipse
    use kyvadlo_turned_azimuth, only: is_upright
    use kyvadlo_turning_frame, only: frame_angle, seen_from_turning_frame
    implicit none
    private
-   public :: block_type, block_samples, columns_of, new_block, fill_ellipse, fill_inclination, fill_speed, &
-      move_with_pivot, shows_ellipse, turn_azimuth, turn_frame
+   public :: block_type, block_samples, columns_of, in_laboratory, new_block, fill_ellipse, fill_inclination, &
+      fill_speed, move_with_pivot, shows_ellipse, turn_azimuth, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate`.
    integer, parameter :: block_samples = 8192
@@ -94,6 +94,10 @@ contains
          call add(simulation%settings%quantities(i))
       end do
       block%visible = count
+      if (size(simulation%settings%events) > 0) call add(quantity_position)
+      do i = 1, size(simulation%settings%events)
+         call add(simulation%settings%events(i)%quantity)
+      end do
       if (block%column(quantity_derivatives) > 0) call add(quantity_velocity)
       if (block%column(quantity_speed) > 0 .or. shows_ellipse(block)) call add(quantity_velocity)
       if (.not. is_one_orbit .and. &
@@ -113,6 +117,13 @@ contains
          count = count + columns_of_quantity(simulation, quantity)
       end subroutine add
    end subroutine new_block
+
+   !> Whether what is shown moves with the pivot.
+   pure logical function in_laboratory(simulation)
+      type(simulation_type), intent(in) :: simulation
+
+      in_laboratory = simulation%settings%given(moving_pivot_group) .and. .not. simulation%settings%relative
+   end function in_laboratory
 
    !> Inclination. Places are relative to the pivot still.
    pure subroutine fill_inclination(block)

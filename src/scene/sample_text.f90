@@ -8,7 +8,7 @@ module kyvadlo_sample_text
    use kyvadlo_threads, only: thread_count
    implicit none
    private
-   public :: csv_samples_type, new_csv_samples, event_head, event_row
+   public :: csv_samples_type, new_csv_samples
 
    !> A head with the names of the columns, then a line for each sample; numbers in the shortest form that reads back
    !> exactly, nothing for what does not exist. Events are comment lines, or rows of a sheet of their own.
@@ -16,6 +16,8 @@ module kyvadlo_sample_text
       private
       class(text_sink_type), pointer :: lines => null()
       class(text_sink_type), pointer :: events => null()     !! Not associated: events become comment lines
+      logical :: with_values = .false.                       !! Their rows have the quantities
+      logical, allocatable :: is_more(:)                     !! Columns that `event_head` has not
       type(text_type), allocatable :: strips(:)              !! Buffers
       integer :: threads = 1                                 !! 0: as many as OpenMP offers
    contains
@@ -33,16 +35,18 @@ module kyvadlo_sample_text
 contains
 
    !> Lines to a sink that must outlive the result; events to another one if it is given.
-   function new_csv_samples(lines, events, threads) result(sink)
+   function new_csv_samples(lines, events, threads, with_values) result(sink)
       class(text_sink_type), intent(in), target :: lines
       class(text_sink_type), intent(in), target, optional :: events
       !> To share the lines of a long block: 1 if absent; 0 as many as OpenMP offers
       integer, intent(in), optional :: threads
+      logical, intent(in), optional :: with_values   !! In the rows of the events asked for (default .false.)
       type(csv_samples_type) :: sink
 
       sink%lines => lines
       if (present(threads)) sink%threads = threads
       if (present(events)) sink%events => events
+      if (present(with_values)) sink%with_values = with_values
    end function new_csv_samples
 
    subroutine begin_csv(sink, columns)
@@ -56,7 +60,14 @@ contains
          line = line//','//trim(columns(i)%name)
       end do
       call sink%lines%put(line)
-      if (associated(sink%events)) call sink%events%put(event_head)
+      if (.not. associated(sink%events)) return
+      line = event_head
+      sink%is_more = [(sink%with_values .and. all(columns(i)%name /= [character(len=1) :: 't', 'x', 'y', 'z']), &
+         i=1, size(columns))]
+      do i = 1, size(columns)
+         if (sink%is_more(i)) line = line//','//trim(columns(i)%name)
+      end do
+      call sink%events%put(line)
    end subroutine begin_csv
 
    subroutine take_csv(sink, values, goes_on)
@@ -141,25 +152,37 @@ contains
    subroutine note_csv(sink, event)
       class(csv_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
+      character(len=:), allocatable :: lost
 
       if (associated(sink%events)) then
-         call sink%events%put(trim(event_row(event)))
+         call put_event(sink, event)
       else
+         lost = ''
+         if (event%request == 0) lost = ', energy lost = '//shortest_text(event%energy_lost)//' m2/s2'
          call sink%lines%put('# '//trim(event%what)//': t = '//shortest_text(event%time)//' s, x = ' &
             //shortest_text(event%position(1))//' m, y = '//shortest_text(event%position(2))//' m, z = ' &
-            //shortest_text(event%position(3))//' m, energy lost = '//shortest_text(event%energy_lost)//' m2/s2')
+            //shortest_text(event%position(3))//' m'//lost)
       end if
    end subroutine note_csv
 
-   !> An event under `event_head`, blanks behind.
-   pure function event_row(event) result(row)
+   !> A row of the sheet of events. One of the string has no quantities, one that was asked for loses no energy.
+   subroutine put_event(sink, event)
+      class(csv_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
-      character(len=6*(longest_decimal + 1)) :: row
+      character(len=:), allocatable :: row
+      integer :: i
 
       row = shortest_text(event%time)//','//trim(event%what)//','//shortest_text(event%position(1))//',' &
-         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','// &
-         shortest_text(event%energy_lost)
-   end function event_row
+         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','
+      if (event%request == 0) row = row//shortest_text(event%energy_lost)
+      do i = 1, size(sink%is_more)
+         if (.not. sink%is_more(i)) cycle
+         row = row//','
+         if (event%request == 0) cycle
+         if (event%values(i) == event%values(i)) row = row//shortest_text(event%values(i))
+      end do
+      call sink%events%put(row)
+   end subroutine put_event
 
    !> Appends a number to a buffer.
    pure subroutine put_number(value, buffer, used)

@@ -12,12 +12,14 @@ module kyvadlo_samples
       character(len=80) :: meaning
    end type column_type
 
-   !> Something that happened between two samples.
+   !> Something that happened between two samples: to a string, or what an &event asks for.
    type :: scene_event_type
       real(wp) :: time = 0               !! [s]
-      character(len=24) :: what = ''
+      integer :: request = 0             !! Number of the &event; 0: of a string
+      character(len=64) :: what = ''
       real(wp) :: position(3) = 0        !! [m]
       real(wp) :: energy_lost = 0        !! Per mass [m2/s2]
+      real(wp), allocatable :: values(:) !! Of an &event: the columns of the samples there
    end type scene_event_type
 
    type, abstract :: sample_sink_type

@@ -113,7 +113,8 @@ contains
       type(pendulum_type), intent(in) :: pendulum
 
       associate (name => settings(setting)%name, group => settings(setting)%group)
-         holds = all(settings(setting)%rule /= [rule_text, rule_truth, rule_count]) .and. group /= output_group
+         holds = all(settings(setting)%rule /= [rule_text, rule_truth, rule_count]) .and. &
+            all(group /= [output_group, event_group])
          if (group == pendulum_group) then
             holds = holds .and. any(name == [character(len=19) :: 'length', 'gravity', starts(pendulum%start)%first, &
                starts(pendulum%start)%second])

@@ -8,32 +8,32 @@ module kyvadlo_scene_groups
    public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts, &
       old_names, new_names
    public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, &
-      rule_count, rule_text, rule_truth, rules
+      rule_count, rule_text, rule_truth, rule_direction, rules
    public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, &
       wind_group, earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group, fit_group, &
-         camera_group
+         camera_group, event_group
    public :: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, start_energy_above_bottom, &
       start_release, start_state
 
    !> Places in `group_names`.
    integer, parameter :: pendulum_group = 1, output_group = 2, rod_group = 3, string_group = 4, buoyancy_group = 5, &
       turning_frame_group = 6, air_group = 7, wind_group = 8, earth_rotation_group = 9, moving_pivot_group = 10, &
-      elastic_group = 11, anisotropic_support_group = 12, fit_group = 13, camera_group = 14
+      elastic_group = 11, anisotropic_support_group = 12, fit_group = 13, camera_group = 14, event_group = 15
 
    character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', &
       'buoyancy', 'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support', &
-      'fit', 'camera']
+      'fit', 'camera', 'event']
    !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
    logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., &
-      .false., .false., .false., .false., .false., .false., .true., .true.]
+      .false., .false., .false., .false., .false., .false., .true., .true., .true.]
 
    !> What a value may be: `name must RULE`.
    integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &
-      rule_latitude = 6, rule_half_turn = 7, rule_count = 8, rule_text = 9, rule_truth = 10
+      rule_latitude = 6, rule_half_turn = 7, rule_count = 8, rule_text = 9, rule_truth = 10, rule_direction = 11
    character(len=38), parameter :: rules(*) = [character(len=38) :: 'be a finite number', 'be positive', &
       'not be negative', 'lie between 0 and 1', 'be at least 0 and less than 1', 'lie between -90 and 90 degrees', &
       'lie between -180 and 180 degrees', 'be a whole number from 2 to 4.5e15', 'be a text in quotation marks', &
-      'be .true. or .false.']
+      'be .true. or .false.', 'be -1, 0 or 1']
 
    !> A name of a group.
    type :: setting_type
@@ -70,6 +70,11 @@ module kyvadlo_scene_groups
       'words of the next table, separated by blanks or commas, in quotation marks', '`''position velocity''`'), &
       setting_type(output_group, 'derivatives', 1, rule_text, '', &
       'names of settings by which `derivatives` differentiates, in quotation marks', 'length, gravity, start'), &
+      setting_type(event_group, 'quantity', 1, rule_text, '', &
+      'a column of the table of quantities: `x`, `vz`, `speed` ...', 'required'), &
+      setting_type(event_group, 'value', 1, rule_any, '', 'in the unit of the column', '0'), &
+      setting_type(event_group, 'direction', 1, rule_direction, '', '1: only where it rises, -1: only where it falls', &
+      '0'), setting_type(event_group, 'stop', 1, rule_truth, '', '`.true.`: the simulation ends there', '`.false.`'), &
       setting_type(string_group, 'restitution', 1, rule_fraction, '', &
       'radial speed after over before the re-tension, 0 to 1; 0: all is lost', '0'), &
       setting_type(buoyancy_group, 'density_ratio', 1, rule_part, '', &

@@ -61,7 +61,8 @@ contains
       if (allocated(error)) return
       do i = 1, size(group_names)
          ! The length of the orbit is that of a rod, which is what the tables show anyway.
-         if (.not. settings%given(i) .or. any(i == [output_group, rod_group, fit_group, camera_group])) cycle
+         if (.not. settings%given(i) .or. any(i == [output_group, rod_group, fit_group, camera_group, &
+            event_group])) cycle
          what = place_of(file, settings%line(i))//'&'//trim(group_names(i))//' is computed by kyvadlo simulate'
          if (present(note)) then
             note%text = what//'; here is the motion without it'

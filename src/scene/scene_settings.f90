@@ -7,7 +7,7 @@ module kyvadlo_scene_settings
    use kyvadlo_text, only: text_type
    implicit none
    private
-   public :: settings_type, value_of_name_type, derivative_type
+   public :: settings_type, value_of_name_type, derivative_type, event_request_type
 
    !> What a name was given.
    type :: value_of_name_type
@@ -22,6 +22,16 @@ module kyvadlo_scene_settings
       integer :: element = 1                             !! Of a vector
       character(len=40) :: name = ''                     !! In the names of columns, behind `_d`
    end type derivative_type
+
+   !> An &event: a column that passes a value.
+   type :: event_request_type
+      integer :: quantity = 0, component = 1             !! Place in the table of quantities, and which of its columns
+      real(wp) :: value = 0                              !! In the unit of the column
+      integer :: direction = 0                           !! 1: where it rises, -1: where it falls, 0: both
+      logical :: stops = .false.                         !! The simulation ends there
+      integer :: line = 0
+      character(len=64) :: names(2) = ''                 !! `z rises through -0.5`, `z falls through -0.5`
+   end type event_request_type
 
    !> The groups of a scene; which of them stand in it is in `given`.
    type :: settings_type
@@ -39,6 +49,7 @@ module kyvadlo_scene_settings
       !> What is differentiated (places in the table of quantities), and by what; of no size without derivatives
       integer, allocatable :: differentiated(:)
       type(derivative_type), allocatable :: derivatives(:)
+      type(event_request_type), allocatable :: events(:) !! In the order of the groups
       real(wp) :: number(3, size(settings)) = 0          !! Of all groups but &pendulum, as given or by default
       real(wp) :: frame_rate = 0                         !! Of the frame of the output [rad/s]
       logical :: relative = .false.                      !! Output in the frame of the pivot

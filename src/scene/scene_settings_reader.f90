@@ -9,7 +9,7 @@ module kyvadlo_scene_settings_reader
    use kyvadlo_quantities, only: default_quantities, has_derivatives, quantities, quantity_derivatives, &
       quantity_position, quantity_velocity
    use kyvadlo_scene_groups
-   use kyvadlo_scene_settings, only: settings_type, value_of_name_type
+   use kyvadlo_scene_settings, only: event_request_type, settings_type, value_of_name_type
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: integer_text, lower_case, shown, split_words
    implicit none
@@ -48,6 +48,7 @@ contains
       integer :: i, place
 
       chosen%file = file
+      allocate (chosen%events(0))
       call set_defaults(values)
       do i = 1, size(groups)
          place = findloc(group_names == groups(i)%name, .true., 1)
@@ -55,6 +56,8 @@ contains
          if (place == 0) then
             call fail(error, code_input, place_of(file, groups(i)%line)//'unknown group &'//shown(groups(i)%name) &
                //'; known are '//known_groups())
+         else if (place == event_group) then
+            call take_event(groups(i), chosen, error)
          else if (chosen%given(place)) then
             call fail(error, code_input, place_of(file, groups(i)%line)//'&'//groups(i)%name &
                //' given twice, first on line '//integer_text(chosen%line(place)))
@@ -72,6 +75,50 @@ contains
       call take_values(values, chosen, error)
       if (.not. allocated(error)) call check_together(values, chosen, error)
    end subroutine settings_from_groups
+
+   !> One &event; a scene may have any number of them. Errors: those of `read_group`; a column that is none.
+   pure subroutine take_event(group, chosen, error)
+      type(group_type), intent(in) :: group
+      type(settings_type), intent(inout) :: chosen
+      type(error_type), allocatable, intent(out) :: error
+      type(value_of_name_type) :: values(size(settings))
+      type(event_request_type) :: event
+      character(len=:), allocatable :: word
+      integer :: i
+
+      call set_defaults(values)
+      call read_group(group, event_group, values, error)
+      if (allocated(error)) return
+      if (.not. chosen%given(event_group)) chosen%line(event_group) = group%line
+      chosen%given(event_group) = .true.
+      associate (asked => values(setting_place(event_group, 'quantity')), &
+         value => values(setting_place(event_group, 'value')))
+         word = trim(lower_case(asked%text(1)%text))
+         do i = 1, size(quantities)
+            event%component = findloc(quantities(i)%column_names(:quantities(i)%columns) == word, .true., 1)
+            if (event%component > 0) event%quantity = i
+            if (event%component > 0) exit
+         end do
+         if (event%quantity == 0) then
+            call fail(error, code_input, place_of(chosen%file, asked%line(1))// &
+               '&event: quantity must be a column, got '//shown(word)//'; known are '//known_columns())
+            return
+         end if
+         event%value = value%number(1)
+         event%names = [character(len=len(event%names)) :: word//' rises through ', word//' falls through ']
+         do i = 1, 2
+            if (value%line(1) > 0) then
+               event%names(i) = trim(event%names(i))//' '//value%text(1)%text
+            else
+               event%names(i) = trim(event%names(i))//' 0'
+            end if
+         end do
+      end associate
+      event%direction = nint(values(setting_place(event_group, 'direction'))%number(1))
+      event%stops = values(setting_place(event_group, 'stop'))%number(1) > 0
+      event%line = group%line
+      chosen%events = [chosen%events, event]
+   end subroutine take_event
 
    !> &fit without the names that begin with another setting's bound or prior: kyvadlo_fit_request reads them.
    pure function without_bounds(group) result(rest)
@@ -309,6 +356,20 @@ contains
          text = trim(text)//', &'//group_names(i)
       end do
    end function known_groups
+
+   !> Blanks behind.
+   pure function known_columns() result(text)
+      character(len=40*size(quantities)) :: text
+      integer :: i, j
+
+      text = ''
+      do i = 1, size(quantities)
+         do j = 1, quantities(i)%columns
+            text = trim(text)//', '//quantities(i)%column_names(j)
+         end do
+      end do
+      text = text(3:)
+   end function known_columns
 
    !> Blanks behind.
    pure function known_quantities() result(text)

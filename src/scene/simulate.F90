@@ -3,28 +3,31 @@
 module kyvadlo_simulate
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_buoyancy, only: effective_gravity
+   use kyvadlo_crossings, only: extreme_type, probe_type, step_watcher_type
    use kyvadlo_derivative_samples, only: begin_derivatives, derivative_samples_type, fill_derivatives, find_matrices
+   use kyvadlo_event_order, only: hand_over, merge_events, take_last
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
 #ifdef KYVADLO_WITH_GSL
    use kyvadlo_integrator, only: failure_events, failure_short_step, failure_steps, failure_tangential
-   use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, integrated_type
+   use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, fill_within, &
+      integrated_type
 #endif
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: digits_text, shortest_text
    use kyvadlo_numbers, only: quiet_nan_real64
-   use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities, only: quantity_derivatives, quantity_position, quantity_velocity
    use kyvadlo_sample_block
-   use kyvadlo_sample_times, only: last_before, set_times
+   use kyvadlo_sample_times, only: set_times
    use kyvadlo_samples, only: sample_sink_type, scene_event_type
-   use kyvadlo_scene_groups, only: moving_pivot_group, output_group, string_group, turning_frame_group
+   use kyvadlo_scene_events, only: begin_search, event_search_type, forget_found, search_orbit, search_stretch, &
+      search_string
+   use kyvadlo_scene_groups, only: event_group, output_group, string_group, turning_frame_group
    use kyvadlo_scene_derivatives, only: derivative_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_string, only: event_rebound, event_slack, event_taut, string_event_type
-   use kyvadlo_turning_frame, only: seen_from_turning_frame
+   use kyvadlo_swing_ellipse, only: apsides_type
    use kyvadlo_wide_samples, only: fill_wide, is_wide, longest_cell
    implicit none
    private
@@ -42,21 +45,48 @@ module kyvadlo_simulate
 #endif
    end type work_type
 
+   !> All quantities of a scene at times within the stretch that is looked at.
+   type, extends(probe_type) :: scene_probe_type
+      private
+      type(work_type), pointer :: work => null()
+      type(simulation_type), pointer :: simulation => null()
+      type(path_type), pointer :: path => null()
+      type(block_type) :: block
+   contains
+      procedure :: at => probe_scene
+      procedure :: settle => settle_probe
+   end type scene_probe_type
+
+   !> The events of a scene, and who finds them.
+   type, extends(step_watcher_type) :: event_watcher_type
+      type(scene_probe_type) :: probe
+      type(event_search_type) :: search
+   contains
+      procedure :: look => look_for_events
+   end type event_watcher_type
+
+   !> Points of a step of the integrator, at most a tenth of a swing, where quantities are looked at.
+   integer, parameter :: points_of_step = 8
+
 contains
 
    !> Computes a scene and hands the samples, and the events between them, to a sink.
    !>
    !> Samples are equidistant in time, both ends included. The sink may end the run early. Errors: those of the
    !> integrator; what was handed over before then is of no use.
-   subroutine simulate(simulation, path, sink, error, check)
-      type(simulation_type), intent(in) :: simulation
-      type(path_type), intent(in) :: path                     !! From `choose_path`
+   subroutine simulate(simulation, path, sink, error, check, extremes)
+      type(simulation_type), intent(in), target :: simulation
+      type(path_type), intent(in), target :: path             !! From `choose_path`
       class(sample_sink_type), intent(inout) :: sink
       type(error_type), allocatable, intent(out) :: error
       type(check_type), intent(inout), optional :: check  !! Of an integrated scene: at a tenth of the tolerance beside
+      type(extreme_type), intent(inout), optional :: extremes(:) !! Of columns of the samples, to the last digits
       type(block_type) :: block
-      type(work_type) :: work
+      type(work_type), target :: work
+      type(event_watcher_type), allocatable :: watcher        !! Of a scene with events
+      type(scene_event_type), allocatable :: events(:)
       character(len=longest_cell), allocatable :: cells(:, :)
+      real(wp) :: last_time
       integer(int64) :: first
       integer :: noted
       logical :: goes_on
@@ -66,10 +96,12 @@ contains
       call sink%begin(columns_of(simulation))
       work%is_checked = present(check)
       call begin_work(work, simulation, path, block, error)
+      if (.not. allocated(error)) call begin_watcher(watcher, work, simulation, path, block, error, extremes)
       allocate (cells(merge(block_samples, 0, path%figures > 0), merge(block%visible, 0, path%figures > 0)))
       noted = 0
       goes_on = .not. allocated(error)
       first = 0
+      last_time = 0
       do while (first < simulation%settings%samples .and. goes_on)
          block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
          call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, &
@@ -84,21 +116,22 @@ contains
             first = first + block%count
             cycle
          end if
-         call fill_block(work, simulation, path, block, error)
-         if (allocated(error)) exit
-         select case (path%path)
-         case (path_string)
-            call hand_over(simulation, path, block, path%events, sink, noted, goes_on)
-#ifdef KYVADLO_WITH_GSL
-         case (path_integrated)
-            call hand_over(simulation, path, block, work%integrated%run%events(:work%integrated%run%event_count), &
-               sink, noted, goes_on)
-#endif
-         case default
-            call sink%take(block%values(:block%count, :block%visible), goes_on)
-         end select
          first = first + block%count
+         associate (next_time => block%values(block%count, 1))
+            if (allocated(watcher)) call search_exactly(watcher, path, last_time, block)
+            last_time = next_time
+         end associate
+         call fill_block(work, simulation, path, block, error, watcher)
+         if (allocated(error)) exit
+         call gather_events(work, simulation, path, watcher, last_time, noted, events)
+         call hand_over(block, events, sink, goes_on)
+         if (.not. allocated(watcher)) cycle
+         if (watcher%search%is_over) then
+            if (goes_on) call take_last(block, events(size(events)), sink)
+            exit
+         end if
       end do
+      if (present(extremes) .and. allocated(watcher)) extremes = watcher%search%extremes
 #ifdef KYVADLO_WITH_GSL
       if (present(check) .and. path%path == path_integrated) check = work%integrated%check
       call end_work(work, simulation, path, error)
@@ -192,13 +225,14 @@ contains
 #endif
    end subroutine begin_work
 
-   !> All columns of a block, at its times.
-   subroutine fill_block(work, simulation, path, block, error)
-      type(work_type), intent(inout) :: work
+   !> All columns of a block, at its times; of fewer times where an integration comes to its end.
+   subroutine fill_block(work, simulation, path, block, error, watcher)
+      type(work_type), intent(inout), target :: work
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
       type(error_type), allocatable, intent(out) :: error
+      type(event_watcher_type), intent(inout), optional :: watcher
       logical :: has_derivatives
 
       has_derivatives = block%column(quantity_derivatives) > 0
@@ -212,9 +246,9 @@ contains
 #ifdef KYVADLO_WITH_GSL
       case (path_integrated)
          if (has_derivatives) then
-            call fill_integrated(work%integrated, path, block, error, work%derivatives%matrices)
+            call fill_integrated(work%integrated, path, block, error, work%derivatives%matrices, watcher)
          else
-            call fill_integrated(work%integrated, path, block, error)
+            call fill_integrated(work%integrated, path, block, error, watcher=watcher)
          end if
          if (allocated(error)) return
 #endif
@@ -228,6 +262,15 @@ contains
          end if
          call fill_derivatives(work%derivatives, simulation, path, block)
       end if
+      call show_block(simulation, path, block)
+   end subroutine fill_block
+
+   !> What follows from the motion relative to the pivot, and the motion as it is seen.
+   subroutine show_block(simulation, path, block)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(block_type), intent(inout) :: block
+
       call fill_inclination(block)
       call fill_ellipse(effective_gravity(path%gravity, path%effects%density_ratio, path%effects%added_mass), &
          merge(path%length*(1 - slack_part), 0.0_wp, path%effects%is_string), simulation%settings%frame_rate, block)
@@ -235,7 +278,156 @@ contains
       if (in_laboratory(simulation)) call move_with_pivot(path%effects, block)
       if (simulation%settings%given(turning_frame_group)) call turn_frame(simulation%settings%frame_rate, block)
       call fill_speed(block)
-   end subroutine fill_block
+   end subroutine show_block
+
+   !> A watcher where there is something to watch. Error: the path is computed to an accuracy that doubles do not have.
+   subroutine begin_watcher(watcher, work, simulation, path, block, error, extremes)
+      type(event_watcher_type), allocatable, intent(out) :: watcher
+      type(work_type), intent(in), target :: work
+      type(simulation_type), intent(in), target :: simulation
+      type(path_type), intent(in), target :: path
+      type(block_type), intent(in) :: block
+      type(error_type), allocatable, intent(out) :: error
+      type(extreme_type), intent(in), optional :: extremes(:)
+
+      if (size(simulation%settings%events) == 0 .and. .not. present(extremes)) return
+      if (is_wide(path)) then
+         if (size(simulation%settings%events) > 0) call fail(error, code_input, place_of(simulation%settings%file, &
+            simulation%settings%line(event_group))//'&event: events are found in double precision, and neither to '// &
+            'this accuracy nor for so long')
+         return
+      end if
+      allocate (watcher)
+      if (present(extremes)) watcher%search%extremes = extremes
+      associate (probe => watcher%probe)
+         probe%work => work
+         probe%simulation => simulation
+         probe%path => path
+         probe%block = block
+         probe%block%values = quiet_nan_real64
+         probe%columns = size(block%values, 2)
+         probe%is_approximate = path%path == path_integrated
+         call probe%settle(0.0_wp)
+      end associate
+      call begin_search(watcher%search, simulation, path, block%column, block%visible)
+   end subroutine begin_watcher
+
+   subroutine probe_scene(probe, times, values, exactly)
+      class(scene_probe_type), intent(inout) :: probe
+      real(wp), intent(in) :: times(:)
+      real(wp), intent(out) :: values(:, :)
+      logical, intent(in) :: exactly
+      type(apsides_type) :: apsides
+      real(wp) :: azimuth
+      integer :: piece
+
+      apsides = probe%block%apsides
+      azimuth = probe%block%azimuth
+      piece = probe%block%piece
+      call fill_probe(probe, times, exactly)
+      values = probe%block%values(:size(times), :)
+      probe%block%apsides = apsides
+      probe%block%azimuth = azimuth
+      probe%block%piece = piece
+   end subroutine probe_scene
+
+   subroutine settle_probe(probe, time)
+      class(scene_probe_type), intent(inout) :: probe
+      real(wp), intent(in) :: time
+
+      call fill_probe(probe, [time], .false.)
+   end subroutine settle_probe
+
+   !> All columns but derivatives.
+   subroutine fill_probe(probe, times, exactly)
+      class(scene_probe_type), intent(inout) :: probe
+      real(wp), intent(in) :: times(:)
+      logical, intent(in) :: exactly
+
+      probe%block%count = size(times)
+      probe%block%values(:size(times), 1) = times
+      select case (probe%path%path)
+      case (path_constant)
+         call fill_constant(probe%path, probe%block)
+      case (path_closed_form)
+         call fill_closed_form(probe%path, probe%block)
+      case (path_string)
+         call fill_string(probe%path, probe%block)
+#ifdef KYVADLO_WITH_GSL
+      case (path_integrated)
+         call fill_within(probe%work%integrated, probe%path, probe%block, exactly)
+#endif
+      end select
+      call show_block(probe%simulation, probe%path, probe%block)
+   end subroutine fill_probe
+
+   !> What happens up to the last sample of a block of a path in closed form; later samples go.
+   subroutine search_exactly(watcher, path, from, block)
+      type(event_watcher_type), intent(inout) :: watcher
+      type(path_type), intent(in) :: path
+      real(wp), intent(in) :: from                            !! [s]
+      type(block_type), intent(inout) :: block
+
+      call forget_found(watcher%search)
+      associate (search => watcher%search, to => block%values(block%count, 1))
+         if (path%path == path_closed_form) then
+            call search_orbit(search, path%orbit, watcher%probe, from, to)
+         else if (path%path == path_string) then
+            call search_string(search, path, watcher%probe, from, to)
+         else if (path%path == path_constant .and. .not. from > 0) then
+            call search_stretch(search, watcher%probe, [0.0_wp], .true.)
+         end if
+         if (search%is_over) block%count = count(block%values(:block%count, 1) <= search%found(search%count)%time)
+      end associate
+   end subroutine search_exactly
+
+   !> After a step of the integrator.
+   subroutine look_for_events(watcher, from, to)
+      class(event_watcher_type), intent(inout) :: watcher
+      real(wp), intent(in) :: from, to
+      real(wp) :: times(0:points_of_step)
+      integer :: i
+
+      do i = 0, points_of_step
+         times(i) = from + (to - from)*(real(i, wp)/points_of_step)
+      end do
+      times(points_of_step) = to
+      call search_stretch(watcher%search, watcher%probe, times, .true.)
+      call watcher%probe%settle(to)
+      watcher%is_over = watcher%search%is_over
+   end subroutine look_for_events
+
+   !> All events up to a time that were not handed over yet.
+   subroutine gather_events(work, simulation, path, watcher, until, noted, events)
+      type(work_type), intent(in) :: work
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      type(event_watcher_type), intent(in), optional :: watcher
+      real(wp), intent(in) :: until                           !! [s]
+      integer, intent(inout) :: noted                         !! Events of the string handed over so far
+      type(scene_event_type), allocatable, intent(out) :: events(:)
+      type(scene_event_type), allocatable :: found(:)
+      real(wp) :: last
+
+      allocate (found(0))
+      last = until
+      if (present(watcher)) then
+         found = watcher%search%found(:watcher%search%count)
+         if (watcher%search%is_over) last = found(size(found))%time
+      end if
+      select case (path%path)
+      case (path_string)
+         call merge_events(simulation, path, found, path%events, last, noted, events)
+#ifdef KYVADLO_WITH_GSL
+      case (path_integrated)
+         associate (run => work%integrated%run)
+            call merge_events(simulation, path, found, run%events(:run%event_count), last, noted, events)
+         end associate
+#endif
+      case default
+         call move_alloc(found, events)
+      end select
+   end subroutine gather_events
 
 #ifdef KYVADLO_WITH_GSL
    !> What of the scene made it fail, and the memory back.
@@ -278,70 +470,5 @@ contains
       end associate
    end subroutine explain_failure
 #endif
-
-   !> Whether what is shown moves with the pivot.
-   pure logical function in_laboratory(simulation)
-      type(simulation_type), intent(in) :: simulation
-
-      in_laboratory = simulation%settings%given(moving_pivot_group) .and. .not. simulation%settings%relative
-   end function in_laboratory
-
-   !> Gives the samples to the sink, and each event before the samples that follow it.
-   subroutine hand_over(simulation, path, block, events, sink, noted, goes_on)
-      type(simulation_type), intent(in) :: simulation
-      type(path_type), intent(in) :: path
-      type(block_type), intent(in) :: block
-      type(string_event_type), intent(in) :: events(:)        !! All that are known yet
-      class(sample_sink_type), intent(inout) :: sink
-      integer, intent(inout) :: noted                         !! Events handed over so far
-      logical, intent(inout) :: goes_on
-      integer :: first, last
-
-      first = 1
-      do while (first <= block%count .and. goes_on)
-         last = block%count
-         do while (noted < size(events))
-            if (events(noted + 1)%time > block%values(first, 1)) exit
-            noted = noted + 1
-            call sink%note(scene_event(simulation, path, events(noted)))
-         end do
-         if (noted < size(events)) last = last_before(block%values(:block%count, 1), first, events(noted + 1)%time)
-         call sink%take(block%values(first:last, :block%visible), goes_on)
-         first = last + 1
-      end do
-   end subroutine hand_over
-
-   !> An event of the string in words, and where the samples show it.
-   pure function scene_event(simulation, path, from) result(event)
-      type(simulation_type), intent(in) :: simulation
-      type(path_type), intent(in) :: path
-      type(string_event_type), intent(in) :: from
-      type(scene_event_type) :: event
-      real(wp) :: displacement(3), velocity(3)
-
-      event%time = from%time
-      event%position = from%position
-      event%energy_lost = from%energy_lost
-      ! The integrator knows of the fluid.
-      if (path%path == path_string) event%energy_lost = path%inertia*from%energy_lost
-      if (in_laboratory(simulation)) then
-         call pivot_motion(path%effects, from%time, displacement, velocity)
-         event%position = event%position + displacement
-      end if
-      if (simulation%settings%given(turning_frame_group)) then
-         velocity = 0
-         call seen_from_turning_frame(simulation%settings%frame_rate, from%time, event%position, velocity)
-      end if
-      select case (from%kind)
-      case (event_slack)
-         event%what = 'slack'
-      case (event_taut)
-         event%what = 'taut'
-      case (event_rebound)
-         event%what = 'rebound'
-      case default
-         event%what = 'taut after rattling'
-      end select
-   end function scene_event
 
 end module kyvadlo_simulate

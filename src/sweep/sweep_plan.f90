@@ -408,7 +408,7 @@ contains
       end do
       do i = 1, size(group_names)
          if (.not. plan%is_exact .or. .not. plan%scene%settings%given(i)) cycle
-         if (any(i == [output_group, rod_group, buoyancy_group])) cycle
+         if (any(i == [output_group, rod_group, buoyancy_group, event_group])) cycle
          call fail(error, code_input, place_of(plan%file, plan%scene%settings%line(i))//'&'//trim(group_names(i))// &
             ': the quantities of an orbit (T, k, ...) are those of a rod without effects; measure samples (greatest_z)')
          return

@@ -164,6 +164,7 @@ contains
       class(measured_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
 
+      if (event%request > 0) return
       if (event%what == 'slack') then
          if (sink%slack_time /= sink%slack_time) sink%slack_time = event%time
       else

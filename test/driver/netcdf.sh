@@ -39,6 +39,22 @@ tail -n +2 out | cmp -s - samples || complain 'the samples of the CSV expected'
 expect_in_out 'dinclination_drelease_angle rad/(degree)'
 expect_in_out 'dinclination_dquadratic rad/(1/m)'
 
+# Events asked for, one of which ends the run: of samples there are as many as there were.
+printf '%s\n' '&pendulum length=1, release_angle=60 / &event quantity="vx" / &event quantity="z" value=-0.75 direction=-1 stop=T /' \
+   '&air quadratic=0.01 / &output duration=10, samples=101, quantities="speed position" /' >ended.nml
+run simulate ended.nml --output ended.nc
+expect_status 0
+run simulate ended.nml --events events.csv
+command_line='reading ended.nc'
+"$reader" ended.nc >samples
+checks=$((checks + 2))
+tail -n +2 out | cmp -s - samples || complain 'the samples of the CSV expected'
+"$reader" ended.nc events | cut -d , -f 1-4 >events
+tail -n +2 events.csv | cut -d , -f 1,3-5 | cmp -s - events || complain 'the events of the CSV expected'
+"$reader" ended.nc attributes >out
+expect_in_out 'slack taut rebound taut_after_rattling vx_rises_through_0 vx_falls_through_0 z_rises_through_-0.75'
+expect_in_out 'event_speed m s-1'
+
 # Many blocks; what does not exist; files whole or not at all.
 printf '%s\n' '&pendulum length=1, z_upper=0.3, z_lower=-0.8 / &output duration=100, samples=20001, quantities="azimuth" /' >long.nml
 run simulate long.nml --output long.nc

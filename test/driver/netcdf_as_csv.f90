@@ -37,6 +37,7 @@ contains
             unit = ''
             call check(nf90_get_att(file, i, 'units', unit))
             write (output_unit, '(a)') trim(name)//' '//trim(unit)
+            if (name == 'event_kind') call print_text(file, i, 'flag_meanings')
          end if
          if (dimensions(1) /= wanted) cycle
          call check(nf90_get_var(file, i, column))
