@@ -90,6 +90,15 @@ contains
       else if (options(j)%value == '') then
          if (allocated(value)) call fail(error, code_input, 'option '//name//' takes no value')
          value = ''
+      else if (.not. allocated(value) .and. options(j)%value(1:1) == '[') then
+         ! One of the words in brackets may follow; else it is the first.
+         value = options(j)%value(2:index(options(j)%value, '|') - 1)
+         if (i < size(words)) then
+            if (is_choice(words(i + 1)%text, trim(options(j)%value))) then
+               i = i + 1
+               value = words(i)%text
+            end if
+         end if
       else if (.not. allocated(value)) then
          i = i + 1
          if (i > size(words)) then
@@ -122,13 +131,23 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (index(choice, '|') == 0) return
-      if (index('|'//choice//'|', '|'//word//'|') > 0 .and. word /= '' .and. index(word, '|') == 0) then
+      if (is_choice(word, choice)) then
          if (word == 'quad' .and. .not. with_quad) &
             call fail(error, code_input, 'option '//name//': this build has no quadruple precision')
          return
       end if
       call fail(error, code_input, 'option '//name//' must be one of '//choice//', got '//quoted(word))
    end subroutine check_word
+
+   !> Whether a word is one of those of `a|b|c` or `[a|b|c]`.
+   pure logical function is_choice(word, choice)
+      character(len=*), intent(in) :: word, choice
+      integer :: first, last
+
+      first = merge(2, 1, choice(1:1) == '[')
+      last = len(choice) - first + 1
+      is_choice = index('|'//choice(first:last)//'|', '|'//word//'|') > 0 .and. word /= '' .and. index(word, '|') == 0
+   end function is_choice
 
    !> Place in `options`, or 0.
    pure integer function option_index(command, name)

@@ -64,6 +64,8 @@ module kyvadlo_commands
          'of &event and of the string (slack, taut), as CSV; else comment lines between samples'), &
       option_type('simulate', '--plot', 'FILE', &
          'draw FILE, .svg or .png, by gnuplot; its script and data stand beside, .gp and .dat'), &
+      option_type('simulate', '--summary', '[text|json]', &
+         'print what the motion is like in ten lines, instead of the samples; these go to --output'), &
       option_type('simulate', '--pendulum', 'NAME', 'the pendulum of this name or number, of a scene with several'), &
       option_type('simulate', '--explain', '', &
          'first say which path was chosen, why, and what it will cost (standard error)'), &

@@ -20,8 +20,10 @@ module kyvadlo_simulate_command
    use kyvadlo_settings_list, only: write_settings
    use kyvadlo_standard_io, only: become_program, close_output, discard_output, get_unfinished_name, is_on_terminal, &
       is_terminal, message, open_output, output_type
+   use kyvadlo_summary, only: new_summary, summary_type, write_summary
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
-   use kyvadlo_text, only: shown
+   use kyvadlo_text, only: counting_sink_type, shown
+   use kyvadlo_wide_samples, only: is_wide
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
    implicit none
    private
@@ -67,6 +69,8 @@ contains
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. path%figures > 0 .and. is_netcdf_name(option_value(arguments, '--output', ''))) &
          call fail(error, code_input, 'option --accuracy below 1e-16 needs CSV: a NetCDF file (.nc) has doubles')
+      if (.not. allocated(error) .and. is_wide(path) .and. option_given(arguments, '--summary')) call fail(error, &
+         code_input, 'option --summary is computed in double precision, and neither to this accuracy nor for so long')
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command
@@ -102,6 +106,10 @@ contains
             return
          end if
       end do
+      if (option_given(arguments, '--summary') .and. option_value(arguments, '--output', '') == '-') then
+         call fail(error, code_input, 'option --summary: standard output has it; give --output the name of a file')
+         return
+      end if
       if (is_netcdf_name(option_value(arguments, '--output', ''))) then
 #if defined(KYVADLO_WITH_NETCDF) || defined(KYVADLO_NETCDF_ELSEWHERE)
          if (option_given(arguments, '--events')) then
@@ -151,6 +159,7 @@ contains
 
       wants_samples = .not. is_terminal(1)
       if (option_given(arguments, '--output') .or. .not. option_given(arguments, '--plot')) wants_samples = .true.
+      if (option_given(arguments, '--summary')) wants_samples = option_given(arguments, '--output')
    end function wants_samples
 
    !> Whether the integrator, and the check at a tenth, take the accuracy: rounding in a step is near 1e-15.
@@ -178,6 +187,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(output_type), target :: output, events
       type(plot_samples_type), target :: plot
+      type(summary_type), target :: summary
       logical :: has_events, has_plot
 
       has_events = option_given(arguments, '--events')
@@ -192,8 +202,14 @@ contains
       if (has_plot) call new_plot(plot, option_value(arguments, '--plot', ''), simulation%pendulum%name, &
          simulation%settings%samples, error)
       if (.not. allocated(error)) then
-         call compute(arguments, simulation, path, output, events, plot, error)
+         call compute(arguments, simulation, path, output, events, plot, summary, error)
          if (has_plot .and. allocated(error)) call discard_plot(plot)
+      end if
+      if (option_given(arguments, '--summary') .and. .not. allocated(error)) then
+         if (option_given(arguments, '--output')) call finish(output, error)
+         if (option_given(arguments, '--output')) call open_output(output, '', error)
+         if (.not. allocated(error)) call write_summary(summary, simulation, path, &
+            option_value(arguments, '--summary', '') == 'json', output)
       end if
       call finish(output, error)
       if (has_events) call finish(events, error)
@@ -201,34 +217,40 @@ contains
    end subroutine run
 
    !> Computes the samples and writes them.
-   subroutine compute(arguments, simulation, path, output, events, plot, error)
+   subroutine compute(arguments, simulation, path, output, events, plot, summary, error)
       type(arguments_type), intent(in) :: arguments
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(output_type), intent(inout), target :: output
       type(output_type), intent(inout), target :: events     !! With --events
       type(plot_samples_type), intent(inout), target :: plot !! With --plot
+      type(summary_type), intent(inout), target :: summary   !! With --summary
       type(error_type), allocatable, intent(out) :: error
       type(simulation_type) :: wanted
       type(csv_samples_type), target :: lines
+      type(counting_sink_type), target :: nowhere   !! Samples beside events that alone are wanted
 #ifdef KYVADLO_WITH_NETCDF
       type(netcdf_samples_type), target :: netcdf
       character(len=:), allocatable :: name
       logical :: is_netcdf
 #endif
-      class(sample_sink_type), pointer :: samples
+      class(sample_sink_type), pointer :: samples, picture, account
       type(watched_samples_type) :: watch
       type(check_type), allocatable :: check
       integer :: columns
-      logical :: shows
+      logical :: shows, with_samples, with_events
 
-      if (option_given(arguments, '--events')) then
+      with_samples = wants_samples(arguments)
+      with_events = option_given(arguments, '--events')
+      if (with_events .and. .not. with_samples) then
+         lines = new_csv_samples(nowhere, events, path%threads, size(simulation%settings%events) > 0)
+      else if (with_events) then
          lines = new_csv_samples(output, events, path%threads, size(simulation%settings%events) > 0)
       else
          lines = new_csv_samples(output, threads=path%threads)
       end if
       samples => null()
-      if (wants_samples(arguments)) samples => lines
+      if (with_samples .or. with_events) samples => lines
 #ifdef KYVADLO_WITH_NETCDF
       is_netcdf = is_netcdf_name(option_value(arguments, '--output', ''))
       if (is_netcdf) then
@@ -246,15 +268,21 @@ contains
       else
          shows = is_terminal(2)
       end if
+      picture => null()
+      account => null()
       if (option_given(arguments, '--plot')) then
          if (all(simulation%settings%quantities /= quantity_position)) &
             wanted%settings%quantities = [simulation%settings%quantities, quantity_position]
-         watch = new_watch(samples, shows, simulation%settings%samples, columns, plot)
-      else
-         watch = new_watch(samples, shows, simulation%settings%samples, columns)
+         picture => plot
       end if
+      if (option_given(arguments, '--summary')) then
+         call new_summary(summary, simulation, path, wanted)
+         account => summary
+      end if
+      watch = new_watch(samples, shows, simulation%settings%samples, columns, size(simulation%settings%events), &
+         picture, account)
       if (option_given(arguments, '--check')) allocate (check)
-      call simulate(wanted, path, watch, error, check)
+      call simulate(wanted, path, watch, error, check, summary%extremes)
       call stop_watch(watch)
 #ifdef KYVADLO_WITH_NETCDF
       if (is_netcdf .and. .not. allocated(error)) then

@@ -13,6 +13,8 @@ module kyvadlo_watched_samples
       private
       class(sample_sink_type), pointer :: samples => null()  !! Not associated: only the picture is wanted
       class(sample_sink_type), pointer :: picture => null()  !! Not associated: none is drawn
+      class(sample_sink_type), pointer :: summary => null()  !! Not associated: none is made
+      integer :: requests = 0                          !! Events for `samples`; the summary may need more
       integer :: columns = 0                           !! Those for `samples`; the picture may need more
       integer(int64) :: total = 0, done = 0
       integer(int64) :: start = 0, last_line = 0       !! Counts of the clock
@@ -31,18 +33,21 @@ module kyvadlo_watched_samples
 contains
 
    !> Hands on to `samples`, if there are any, and to a picture; all must outlive the result.
-   function new_watch(samples, shows, total, columns, picture) result(watch)
+   function new_watch(samples, shows, total, columns, requests, picture, summary) result(watch)
       class(sample_sink_type), intent(in), pointer :: samples
       logical, intent(in) :: shows                     !! Lines on the terminal
       integer(int64), intent(in) :: total              !! Samples that will come
       integer, intent(in) :: columns                   !! The first so many are those asked for
-      class(sample_sink_type), intent(in), target, optional :: picture
+      integer, intent(in) :: requests                  !! The first so many events are those asked for
+      class(sample_sink_type), intent(in), pointer :: picture, summary
       type(watched_samples_type) :: watch
 
       watch%samples => samples
       watch%total = total
       watch%columns = columns
-      if (present(picture)) watch%picture => picture
+      watch%requests = requests
+      watch%picture => picture
+      watch%summary => summary
       watch%shows = shows
       call system_clock(watch%start)
       watch%last_line = watch%start
@@ -54,6 +59,7 @@ contains
 
       if (associated(sink%samples)) call sink%samples%begin(columns(:sink%columns))
       if (associated(sink%picture)) call sink%picture%begin(columns)
+      if (associated(sink%summary)) call sink%summary%begin(columns)
    end subroutine begin_watched
 
    subroutine take_watched(sink, values, goes_on)
@@ -62,6 +68,7 @@ contains
       logical, intent(out) :: goes_on
 
       goes_on = .true.
+      if (associated(sink%summary)) call sink%summary%take(values, goes_on)
       if (associated(sink%picture)) call sink%picture%take(values, goes_on)
       if (associated(sink%samples)) call sink%samples%take(values(:, :sink%columns), goes_on)
       sink%done = sink%done + size(values, 1)
@@ -75,6 +82,7 @@ contains
       logical, intent(out) :: goes_on
 
       goes_on = .true.
+      if (associated(sink%summary)) call sink%summary%take(values, goes_on)
       if (associated(sink%picture)) call sink%picture%take(values, goes_on)
       if (associated(sink%samples)) call sink%samples%take_written(values(:, :sink%columns), cells(:, :sink%columns), &
          goes_on)
@@ -87,10 +95,12 @@ contains
       type(scene_event_type), intent(in) :: event
       type(scene_event_type) :: seen
 
+      if (associated(sink%summary)) call sink%summary%note(event)
+      if (event%request > sink%requests) return
       seen = event
       if (allocated(seen%values)) seen%values = seen%values(:sink%columns)
       if (associated(sink%samples)) call sink%samples%note(seen)
-      if (associated(sink%picture)) call sink%picture%note(event)
+      if (associated(sink%picture)) call sink%picture%note(seen)
    end subroutine note_watched
 
    !> `12 %  1.20E+06 samples/s  34 s left`, over the line before.
