@@ -21,13 +21,14 @@ module kyvadlo_bench_motion
 
    integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, &
       dual_rates_row = 6, one_direct = 7, one_dual = 8, one_upright = 9, one_rates = 10, one_azimuth = 11, &
-      set_up_direct = 12, set_up_dual = 13, set_up_upright = 14, period_one = 15, period_upright = 16, &
-      period_many = 17, period_many_upright = 18, last_row = 18
+      set_up_direct = 12, set_up_dual = 13, set_up_upright = 14, set_up_state = 15, period_one = 16, &
+      period_upright = 17, period_many = 18, period_many_upright = 19, both_many = 20, position_many = 21, last_row = 21
 
    type :: bench_type
       type(orbit_type) :: direct, dual, upright
       real(real64), dimension(points) :: time, a, b, top, bottom, top_upright, bottom_upright
       real(real64), dimension(points, 6) :: out
+      real(real64), dimension(3, points) :: position
       real(real64) :: checksum = 0
    end type bench_type
 
@@ -102,7 +103,7 @@ contains
       call system_clock(start)
       if (row <= dual_rates_row .or. row >= period_many) then
          call run_arrays(bench, row, level, total)
-      else if (row < set_up_direct .or. row > set_up_upright) then
+      else if (row < set_up_direct .or. row > set_up_state) then
          count = calls
          call run_calls(bench, row, total)
       else
@@ -147,9 +148,14 @@ contains
                highest_level=level)
          case (period_many)
             call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
-         case default
+         case (period_many_upright)
             call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top_upright, bench%bottom_upright, out(:, 1), &
                level)
+         case (both_many)
+            call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
+            call orbits_advance_from_gaps(1.0_real64, bench%top, bench%bottom, out(:, 2), level)
+         case default
+            call orbits_locate_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, 3.7_real64, bench%position)
          end select
       end associate
    end subroutine run_arrays
@@ -214,6 +220,9 @@ contains
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1.3_real64, 0.1_real64 + step, error)
          case (set_up_dual)
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 0.8_real64, 0.1_real64 + step, error)
+         case (set_up_state)
+            call new_orbit_from_state(orbit, 1.0_real64, 9.81_real64, [0.6_real64, 0.0_real64, -0.8_real64], &
+               [0.4_real64, 0.9_real64 + step, 0.3_real64], error)
          case default
             call new_orbit_from_gaps(orbit, 1.0_real64, 9.81_real64, 1e-16_real64, 3e-17_real64 + 1e-16_real64*step, &
                error)
@@ -258,7 +267,9 @@ contains
          'one position, k**2 < 1/2', 'one position, k**2 > 1/2', 'one position, k''**2 = 1e-16', &
          'one position and velocity', 'one azimuth', &
          'set-up, two-part constants, k**2 < 1/2', 'set-up, two-part constants, k**2 > 1/2', 'set-up, k''**2 = 1e-16', &
-         'T alone', 'T alone, k''**2 = 1e-20', 'T of many orbits, each', 'T of many orbits, each, k''**2 = 1e-20']
+         'set-up from a state', 'T alone', 'T alone, k''**2 = 1e-20', 'T of many orbits, each', &
+         'T of many orbits, each, k''**2 = 1e-20', 'T and advance of many orbits, each', &
+         'position of many orbits at one time, each']
 
       write (unit, '(/,a44,2a10)') 'single calls                                ', 'ns', 'S'
       write (unit, '(a44,f10.2,f10.2)') 'scalar sine                                 ', t(sine_row), 1.0

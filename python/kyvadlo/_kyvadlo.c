@@ -417,6 +417,47 @@ static PyObject *locate(PyObject *module, PyObject *args)
    return none();
 }
 
+/* periods_from_gaps(length, gravity, upper_gaps, lower_rises, periods, advances, threads): fills the two arrays. */
+static PyObject *periods_from_gaps(PyObject *module, PyObject *args)
+{
+   PyObject *gaps, *rises, *periods, *advances;
+   double length, gravity, *a, *b, *t, *turn;
+   npy_intp count;
+   int threads;
+
+   (void)module;
+   if (!PyArg_ParseTuple(args, "ddOOOOi", &length, &gravity, &gaps, &rises, &periods, &advances, &threads)
+       || (a = doubles(gaps, -1)) == NULL) return NULL;
+   count = PyArray_SIZE((PyArrayObject *)gaps);
+   if ((b = doubles(rises, count)) == NULL || (t = doubles(periods, count)) == NULL
+       || (turn = doubles(advances, count)) == NULL) return NULL;
+   Py_BEGIN_ALLOW_THREADS
+   kyvadlo_orbits_period_from_gaps(length, gravity, (size_t)count, a, b, t, threads);
+   kyvadlo_orbits_advance_from_gaps(length, (size_t)count, a, b, turn, threads);
+   Py_END_ALLOW_THREADS
+   return none();
+}
+
+/* locate_from_gaps(length, gravity, upper_gaps, lower_rises, t, positions, velocities, threads): fills the two arrays. */
+static PyObject *locate_from_gaps(PyObject *module, PyObject *args)
+{
+   PyObject *gaps, *rises, *positions, *velocities;
+   double length, gravity, time, *a, *b, *x, *v;
+   npy_intp count;
+   int threads;
+
+   (void)module;
+   if (!PyArg_ParseTuple(args, "ddOOdOOi", &length, &gravity, &gaps, &rises, &time, &positions, &velocities, &threads)
+       || (a = doubles(gaps, -1)) == NULL) return NULL;
+   count = PyArray_SIZE((PyArrayObject *)gaps);
+   if ((b = doubles(rises, count)) == NULL || (x = doubles(positions, 3 * count)) == NULL
+       || (v = doubles(velocities, 3 * count)) == NULL) return NULL;
+   Py_BEGIN_ALLOW_THREADS
+   kyvadlo_orbits_locate_from_gaps(length, gravity, (size_t)count, a, b, time, x, v, threads);
+   Py_END_ALLOW_THREADS
+   return none();
+}
+
 /* evaluate(orbit, what, arguments, values): fills `values` one by one. */
 static PyObject *evaluate(PyObject *module, PyObject *args)
 {
@@ -494,6 +535,10 @@ static PyMethodDef methods[] = {
    {"orbit", new_orbit, METH_VARARGS, "orbit(maker, length, gravity, a, b)"},
    {"constants", constants, METH_O, "constants(orbit)"},
    {"locate", locate, METH_VARARGS, "locate(orbit, times, positions, velocities, threads)"},
+   {"periods_from_gaps", periods_from_gaps, METH_VARARGS,
+      "periods_from_gaps(length, gravity, upper_gaps, lower_rises, periods, advances, threads)"},
+   {"locate_from_gaps", locate_from_gaps, METH_VARARGS,
+      "locate_from_gaps(length, gravity, upper_gaps, lower_rises, t, positions, velocities, threads)"},
    {"evaluate", evaluate, METH_VARARGS, "evaluate(orbit, what, arguments, values)"},
    {"derivatives", derivatives, METH_VARARGS, "derivatives(maker, length, gravity, a, b, times, arrays)"},
    {NULL, NULL, 0, NULL}

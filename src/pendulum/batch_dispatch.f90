@@ -4,26 +4,26 @@ module kyvadlo_batch_dispatch
    use, intrinsic :: iso_c_binding, only: c_int
    use kyvadlo_batch_constants
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
-      beyond_baseline => any_beyond, periods_baseline => period_group
+      beyond_baseline => any_beyond, periods_baseline => period_group, advances_baseline => advance_group
    use kyvadlo_batch_kernel_baseline_single, only: place_baseline_single => place_group, &
       rates_baseline_single => place_group_rates
    use kyvadlo_batch_kernel_baseline_short, only: place_baseline_short => place_group, &
       rates_baseline_short => place_group_rates
    use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, &
-      beyond_v3 => any_beyond, periods_v3 => period_group
+      beyond_v3 => any_beyond, periods_v3 => period_group, advances_v3 => advance_group
    use kyvadlo_batch_kernel_v3_single, only: place_v3_single => place_group, &
       rates_v3_single => place_group_rates
    use kyvadlo_batch_kernel_v3_short, only: place_v3_short => place_group, &
       rates_v3_short => place_group_rates
    use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, &
-      beyond_v4 => any_beyond, periods_v4 => period_group
+      beyond_v4 => any_beyond, periods_v4 => period_group, advances_v4 => advance_group
    use kyvadlo_batch_kernel_v4_single, only: place_v4_single => place_group, &
       rates_v4_single => place_group_rates
    use kyvadlo_batch_kernel_v4_short, only: place_v4_short => place_group, &
       rates_v4_short => place_group_rates
    implicit none
    private
-   public :: vector_level, place_groups, place_groups_rates, period_groups, any_time_beyond
+   public :: vector_level, place_groups, place_groups_rates, period_groups, advance_groups, any_time_beyond
 
    !> Levels of the processor: 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
    integer, parameter :: levels = 3
@@ -118,6 +118,22 @@ contains
          call periods_baseline(groups, length, factor, upper_gap, lower_rise, period)
       end select
    end subroutine period_groups
+
+   pure subroutine advance_groups(level, groups, length, upper_gap, lower_rise, advance)
+      integer, intent(in) :: level, groups
+      real(real64), intent(in) :: length
+      real(real64), intent(in), dimension(group_size*groups) :: upper_gap, lower_rise
+      real(real64), intent(out), dimension(group_size*groups) :: advance
+
+      select case (level)
+      case (2)
+         call advances_v4(groups, length, upper_gap, lower_rise, advance)
+      case (1)
+         call advances_v3(groups, length, upper_gap, lower_rise, advance)
+      case default
+         call advances_baseline(groups, length, upper_gap, lower_rise, advance)
+      end select
+   end subroutine advance_groups
 
    !> Whether a time is NaN or beyond what the kernels reduce.
    pure logical function any_time_beyond(level, n, time, limit)
