@@ -1,5 +1,5 @@
-!> A picture of a motion, drawn by gnuplot: seen from above, height against time, the path in space. The script and its
-!> data are written beside it, with gnuplot or without.
+!> A picture of a motion, drawn by gnuplot: seen from above, height against time, the path in space, where a string is
+!> slack in another colour. The script and its data are written beside it, with gnuplot or without.
 module kyvadlo_plot_samples
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_kinds, only: wp => real64
@@ -26,6 +26,7 @@ module kyvadlo_plot_samples
       type(csv_samples_type) :: lines
       integer(int64) :: seen = 0, stride = 1                 !! Of `stride` samples one is drawn
       integer :: place = 0                                   !! Column of x
+      logical :: is_slack = .false., was_slack = .false.     !! Now, and ever
       real(wp) :: least(4) = huge(1.0_wp), largest(4) = -huge(1.0_wp) !! Of t, x, y, z
    contains
       procedure :: begin => begin_plot
@@ -90,7 +91,7 @@ contains
       type(column_type), intent(in) :: columns(:)
 
       sink%place = findloc(columns%name == 'x', .true., 1)
-      call sink%lines%begin([columns(1), columns(sink%place:sink%place + 2)])
+      call sink%lines%begin([columns(1), columns(sink%place:sink%place + 2), column_type('slack', '1', '1 in flight')])
    end subroutine begin_plot
 
    subroutine take_plot(sink, values, goes_on)
@@ -105,9 +106,10 @@ contains
       first = 1 + int(modulo(-sink%seen, sink%stride))
       sink%seen = sink%seen + size(values, 1)
       if (first > size(values, 1)) return
-      allocate (drawn((size(values, 1) - first)/sink%stride + 1, 4))
+      allocate (drawn((size(values, 1) - first)/sink%stride + 1, 5))
       drawn(:, 1) = values(first::sink%stride, 1)
-      drawn(:, 2:) = values(first::sink%stride, sink%place:sink%place + 2)
+      drawn(:, 2:4) = values(first::sink%stride, sink%place:sink%place + 2)
+      drawn(:, 5) = merge(1, 0, sink%is_slack)
       do i = 1, 4
          sink%least(i) = min(sink%least(i), minval(drawn(:, i)))
          sink%largest(i) = max(sink%largest(i), maxval(drawn(:, i)))
@@ -115,11 +117,21 @@ contains
       call sink%lines%take(drawn, goes_on)
    end subroutine take_plot
 
-   !> Events are not drawn, but their places are within the picture.
+   !> An event of a string ends a line, and begins one in the other colour.
    subroutine note_plot(sink, event)
       class(plot_samples_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
+      real(wp) :: ends(2, 5)
+      logical :: goes_on
 
+      if (event%request > 0) return
+      ends(:, 1) = event%time
+      ends(:, 2:4) = spread(event%position, 1, 2)
+      ends(1, 5) = merge(1, 0, sink%is_slack)
+      sink%is_slack = event%what == 'slack' .or. event%what == 'rebound'
+      sink%was_slack = sink%was_slack .or. sink%is_slack
+      ends(2, 5) = merge(1, 0, sink%is_slack)
+      call sink%lines%take(ends, goes_on)
       sink%least(2:) = min(sink%least(2:), event%position)
       sink%largest(2:) = max(sink%largest(2:), event%position)
    end subroutine note_plot
@@ -153,7 +165,7 @@ contains
       type(plot_samples_type), intent(in) :: plot
       type(output_type), intent(inout) :: script
       character(len=:), allocatable :: name, data
-      real(wp) :: least(4), largest(4), whole, still
+      real(wp) :: least(4), largest(4), whole, still, low, high
 
       name = plot%picture(folder_of(plot%picture) + 1:)
       data = plot%stem(folder_of(plot%stem) + 1:)//'.dat'
@@ -180,28 +192,70 @@ contains
       call widen(least(3), largest(3), whole)
       if (largest(4) - least(4) > still) whole = largest(4) - least(4)
       call widen(least(4), largest(4), whole)
-      call script%put('set multiplot title '//gnuplot_text(plot%title))
+      call script%put('set multiplot title '//gnuplot_text(plot%title)//' font ",14"')
       call script%put('unset key')
       call script%put('set grid')
+      call script%put('set tics nomirror')
+      call script%put('set style line 1 lc rgb "#1f5fa8" lw 1.3; set style line 2 lc rgb "#d2521c" lw 1.8')
+      call script%put('# taut, and slack: the bob flies')
+      call script%put('taut(c) = column(5) == 0 ? column(c) : NaN; slack(c) = column(5) == 0 ? NaN : column(c)')
       call script%put('# seen from above')
-      call script%put('set origin 0, 0.45; set size 0.5, 0.5; set size ratio -1')
+      call script%put('set origin 0, 0.47; set size 0.5, 0.47; set size ratio -1')
       call script%put('set xlabel "x [m]"; set ylabel "y [m]"')
       call script%put('set xrange '//interval(2)//'; set yrange '//interval(3))
-      call script%put('plot data using 2:3 skip 2 with lines')
+      call draw('plot', '2:3', '2:(taut(3))', '2:(slack(3))')
       call script%put('# height')
-      call script%put('set origin 0.5, 0.45; set size noratio; set size 0.5, 0.5')
+      call script%put('set origin 0.5, 0.47; set size noratio; set size 0.5, 0.47')
+      if (plot%was_slack) call script%put('set key top right outside horizontal samplen 2')
       call script%put('set xlabel "t [s]"; set ylabel "z [m]"')
       call script%put('set xrange '//interval(1)//'; set yrange '//interval(4))
-      call script%put('plot data using 1:4 skip 2 with lines')
+      call draw('plot', '1:4', '1:(taut(4))', '1:(slack(4))')
+      call script%put('unset key')
       call script%put('# in space')
-      call script%put('set origin 0.1, -0.03; set size 0.8, 0.55')
-      call script%put('set xlabel "x [m]"; set ylabel "y [m]"; set zlabel "z [m]"')
+      call script%put('set origin 0, -0.06; set size 1, 0.6')
+      call script%put('set xlabel "x [m]" offset 0, -0.7; set ylabel "y [m]" offset 1, -0.7; set zlabel "z [m]" '// &
+         'rotate by 90 offset -1, 0')
+      ! One scale for all three: a flat motion gets room for the numbers of its axis.
+      low = plot%least(4)
+      high = plot%largest(4)
+      whole = largest(2) - least(2)
+      if (high - low < 0.3_wp*whole) then
+         low = (low + high)/2 - 0.15_wp*whole
+         high = low + 0.3_wp*whole
+      end if
+      least(4) = low
+      largest(4) = high
       call script%put('set xrange '//interval(2)//'; set yrange '//interval(3)//'; set zrange '//interval(4))
-      call script%put('set view 65, 30, 1.1; set xyplane relative 0; set xtics offset 0, -0.5')
-      call script%put('splot data using 2:3:4 skip 2 with lines')
+      ! As large as its height, seen from 25 degrees above, lets it be.
+      call script%put('set view equal xyz; set view 65, 30, '//trim(digits_text(1.36_wp/(0.5_wp + 0.9_wp* &
+         (high - low)/whole), 3))//'; set xyplane relative 0')
+      call script%put('set xtics '//step(whole)//' offset 0, -0.4; set ytics '//step(whole)// &
+         ' offset 0.8, -0.1; set ztics '//step(whole))
+      call draw('splot', '2:3:4', '2:3:(taut(4))', '2:3:(slack(4))')
       call script%put('unset multiplot')
 
    contains
+
+      !> 1, 2 or 5 times a power of ten: about a fourth of an extent.
+      function step(extent)
+         real(wp), intent(in) :: extent
+         character(len=:), allocatable :: step
+         real(wp) :: power, part
+
+         power = 10.0_wp**floor(log10(extent/4))
+         part = extent/4/power
+         step = trim(digits_text(power*merge(5.0_wp, merge(2.0_wp, 1.0_wp, part >= 2), part >= 5), 3))
+      end function step
+
+      subroutine draw(how, columns, taut, slack)
+         character(len=*), intent(in) :: how, columns, taut, slack
+
+         call script%put(how//' data using '//taut//' skip 2 with lines ls 1 title "taut", \')
+         ! Where it starts: of a bob at rest all there is.
+         call script%put('   data using '//columns//' skip 2 every ::0::0 with points pt 7 ps 0.7 lc rgb "black" '// &
+            'notitle'//merge(', \', '   ', plot%was_slack))
+         if (plot%was_slack) call script%put('   data using '//slack//' skip 2 with lines ls 2 title "slack"')
+      end subroutine draw
 
       function interval(i)
          integer, intent(in) :: i

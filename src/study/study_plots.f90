@@ -61,6 +61,7 @@ contains
       call sink%put(trim(range))
       call sink%put('set yrange [1e-37:10]')
       call sink%put('set ytics 1e-35, 1e5, 1')
+      call sink%put('unset mytics')
       call sink%put("set format '10^{%L}'")
       call sink%put('set grid')
       call sink%put('set tics font ",9" nomirror')
@@ -94,8 +95,8 @@ contains
       text = integer_text(panel_width*columns)//','//integer_text(panel_height*rows + head_height)
    end function page_size
 
-   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 55 points for numbers, 72 for
-   !> numbers and a title.
+   !> Left, right, bottom, top, and the distances of panels, in shares of the page: 70 and 50 points for numbers and a
+   !> label, 88 for these and a title.
    function margins(rows, columns) result(text)
       integer, intent(in) :: rows, columns
       character(len=80) :: text
@@ -103,8 +104,8 @@ contains
 
       width = panel_width*columns
       height = panel_height*rows + head_height
-      write (text, '(3(f6.4,","),f6.4," spacing ",f6.4,",",f6.4)') 55/width, 1 - 15/width, 35/height, 1 - 65/height, &
-         60/width, 72/height
+      write (text, '(3(f6.4,","),f6.4," spacing ",f6.4,",",f6.4)') 70/width, 1 - 15/width, 50/height, 1 - 65/height, &
+         75/width, 88/height
    end function margins
 
    !> The panels on one page, the last one for the legend.
@@ -120,6 +121,7 @@ contains
       call sink%put('set multiplot layout '//integer_text(rows)//','//integer_text(columns)//' title '// &
          gnuplot_text(trim(question_title(question))//'; against nanoseconds a result')//' margins '// &
          trim(margins(rows, columns)))
+      call sink%put('set xlabel "ns a result" font ",9" offset 0, 0.7; set ylabel "error" font ",9" offset 1.5, 0')
       do i = 1, size(orbits)
          call sink%put('set title '//gnuplot_text(trim(protected(orbits(i)%text))))
          call sink%put('plot \')
@@ -128,17 +130,20 @@ contains
                trim(style(series, j))//merge(', \', '   ', j < size(series)))
          end do
       end do
-      call sink%put('unset title')
+      call sink%put('unset title; unset xlabel; unset ylabel')
+      ! The legend may have the room of the numbers below the panels.
+      call sink%put('set bmargin at screen 0.005')
       call sink%put('unset border')
       call sink%put('unset tics')
       call sink%put('unset grid')
-      call sink%put('set key center center font ",8" samplen 2 spacing 0.8')
+      call sink%put('set key center center font ",7" samplen 2 spacing 0.9 maxcols 1')
       call sink%put('plot \')
       do j = 1, size(series)
          call sink%put('   NaN '//trim(style(series, j))//" title '"//trim(label(study, question, series(j)))//"'"// &
             merge(', \', '   ', j < size(series)))
       end do
       call sink%put('unset multiplot')
+      call sink%put('unset bmargin')
       call sink%put('set key off')
       call sink%put('set border')
       call sink%put('set tics font ",9" nomirror')

@@ -267,7 +267,7 @@ for picture in swing.svg "it's a folder/it's a swing.svg" cone.png; do
    if command -v gnuplot >/dev/null 2>&1; then expect_status 0; else expect_status 2; fi
    stem=${picture%.*}
    checks=$((checks + 1))
-   { [ "$(sed -n 2p "$stem.dat")" = t,x,y,z ] && grep -q 'set multiplot' "$stem.gp"; } || complain 'data and script expected'
+   { [ "$(sed -n 2p "$stem.dat")" = t,x,y,z,slack ] && grep -q 'set multiplot' "$stem.gp"; } || complain 'data and script expected'
    if command -v gnuplot >/dev/null 2>&1; then
       checks=$((checks + 1))
       [ ! -s err ] || complain 'no complaint of gnuplot expected'
