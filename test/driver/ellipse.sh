@@ -72,4 +72,21 @@ expect_status 0
 checks=$((checks + 1))
 awk -F, 'NR > 1 && ($2 != "" || $3 != 1) { exit 1 }' out || complain 'a circle has no plane, and a sense'
 
+# The swinging spring of P. Lynch (Int. J. Nonlinear Mech. 37 (2002) 345; P. Lynch and C. Houghton, Physica D 190 (2004) 38), whose
+# vertical oscillation is twice as fast as its swing: the plane stands still while the swing is wide, and steps by 30 degrees, for this
+# start, each time that the swing dies away.
+cat >spring.nml <<'END'
+&pendulum length=0.75 gravity=9.8696044 position=0.04,0,-0.92 velocity=0,0.03427,0 /
+&elastic stiffness=39.4784176 mass=1 /
+&output duration=150 samples=15001 quantities='plane major' /
+END
+run simulate spring.nml
+expect_status 0
+checks=$((checks + 1))
+awk -F, 'BEGIN { degree = atan2(0, -1)/180 }
+   NR > 1 && $3 > 0.13 { if (!wide) { wide = 1; if (steps++ && (($2 - first)/degree - 30)^2 > 0.04) bad = 1; first = $2 }
+      last = $2; if ((last - first)/degree > 0.5 || last < first) bad = 1 }
+   NR > 1 && $3 < 0.1 { wide = 0 }
+   END { exit !(steps == 6 && !bad) }' out || complain 'five steps of 30 degrees, and rest between them'
+
 finish
