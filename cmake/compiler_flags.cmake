@@ -16,6 +16,10 @@ set(kyvadlo_fortran_flags ${kyvadlo_flags_${CMAKE_Fortran_COMPILER_ID}} ${kyvadl
 set(kyvadlo_c_flags ${kyvadlo_flags_${CMAKE_C_COMPILER_ID}} ${kyvadlo_processor_flags})
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
   list(PREPEND kyvadlo_fortran_flags -std=f2018 -Wall -Wextra -Wimplicit-interface -Wno-maybe-uninitialized -Wno-compare-reals)
+  # gfortran 14 says it of every local variable of a type with allocatable components, whose descriptor it copies.
+  if(CMAKE_Fortran_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    list(APPEND kyvadlo_fortran_flags -Wno-uninitialized)
+  endif()
 elseif(NOT kyvadlo_flags_${CMAKE_Fortran_COMPILER_ID})
   message(WARNING "kyvadlo does not know how to switch contraction (fused multiply-add) off in ${CMAKE_Fortran_COMPILER_ID}: "
     "see cmake/compiler_flags.cmake, and believe the tests only")

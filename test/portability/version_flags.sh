@@ -1,5 +1,6 @@
 #!/bin/sh
-# `kyvadlo --version` prints the flags that the core was compiled with, each of them and no other.
+# `kyvadlo --version` prints the flags that the core was compiled with (OpenMP's that of its sources with threads), each of them
+# and no other.
 #
 #   version_flags.sh BUILD_FOLDER PROGRAM
 set -u
@@ -7,7 +8,8 @@ build=$1 program=$2
 if [ -f "$build/build.ninja" ]; then
    given=$(sed -n '/^build src\/CMakeFiles\/kyvadlo_core.dir\/.*threads.f90.o:/,/^$/s/^  FLAGS = //p' "$build/build.ninja")
 else
-   given=$(sed -n 's/^Fortran_FLAGS = //p' "$build/src/CMakeFiles/kyvadlo_core.dir/flags.make")
+   make=$build/src/CMakeFiles/kyvadlo_core.dir/flags.make
+   given="$(sed -n 's/^Fortran_FLAGS = //p' "$make") $(sed -n 's/^# Custom options: .*threads.f90.o_OPTIONS = //p' "$make" | tr ';' ' ')"
 fi
 # What says where files are, and what Ninja adds to a source that it preprocessed before, are no flags of ours.
 words() { printf '%s\n' "$1" | tr -s ' ' '\n' | grep -v -e '^-J' -e '^-fpreprocessed$' -e '^$' | sort -u; }
