@@ -133,8 +133,9 @@ while [ "$kills" -lt 20 ]; do
    pid=$!
    sleep "0.$((kills * 37 % 80 + 10))"
    signal=$([ $((kills % 2)) -eq 0 ] && echo TERM || echo KILL)
-   # The ranks of this run, each by its number.
-   for process in $(ps -e -o pid= -o args= | awk '/killed\.nc/ && !/awk/ && !/mpirun/ { print $1 }'); do
+   # The ranks of this run, each by its number; not those of the same test of another build.
+   for process in $(ps -e -o pid= -o args= |
+      awk -v program="$program" 'index($0, program) && /killed\.nc/ && !/awk/ && !/mpirun/ { print $1 }'); do
       kill -"$signal" "$process" 2>/dev/null
       [ "$signal" = KILL ] || break
    done
