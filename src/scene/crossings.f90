@@ -119,8 +119,11 @@ contains
       if (bend >= 0) return
       bend = 0
       do i = 2, size(times) - 1
+         ! Where the times are one there is no slope; 0/0 is not even formed.
+         if (.not. (times(i) > times(i - 1) .and. times(i + 1) > times(i))) cycle
          second = 2*abs((f(i + 1) - f(i))/(times(i + 1) - times(i)) - (f(i) - f(i - 1))/(times(i) - times(i - 1))) &
             /(times(i + 1) - times(i - 1))
+         if (is_nan(second)) cycle
          if (second > bend) bend = second
       end do
       bend = margin*bend
@@ -137,11 +140,15 @@ contains
       real(wp) :: middle, at_middle, dip
       logical :: is_clear, is_resolved
 
+      if (is_nan(at_from) .or. is_nan(at_to)) then
+         call arrive(probe, watch, j, start, to, at_to, crossings)
+         return
+      end if
       dip = bend*(to - from)**2/8
       is_clear = abs(at_to - at_from) > 8*dip
       if (at_from > 0 .eqv. at_to > 0) is_clear = is_clear .or. min(abs(at_from), abs(at_to)) > dip
       is_resolved = dip <= watch%noise .or. halvings == most_halvings .or. to - from <= 4*spacing(to)
-      if (is_nan(at_from) .or. is_nan(at_to) .or. is_clear .or. is_resolved) then
+      if (is_clear .or. is_resolved) then
          call arrive(probe, watch, j, start, to, at_to, crossings)
          return
       end if
@@ -178,7 +185,10 @@ contains
       type(crossing_type), allocatable, intent(inout) :: crossings(:)
       integer :: side
 
-      if (is_nan(miss)) watch%side = 0
+      if (is_nan(miss)) then
+         watch%side = 0
+         return
+      end if
       if (.not. abs(miss) > watch%noise) return
       side = merge(1, -1, miss > 0)
       if (watch%side == -side) crossings = [crossings, crossing_type(zero_between(probe, watch, start, time, miss), j, &

@@ -177,8 +177,11 @@ contains
       type(pair_type) :: phase
 
       associate (orbit => path%orbit, request => search%requests(i))
-         bottom = value(pair(orbit%period()/2) - orbit%start_phase)
-         if (orbit%motion == motion_separatrix) bottom = -value(orbit%start_phase)
+         if (orbit%motion == motion_separatrix) then   ! It has no period.
+            bottom = -value(orbit%start_phase)
+         else
+            bottom = value(pair(orbit%period()/2) - orbit%start_phase)
+         end if
          up = 1
          select case (request%quantity)
          case (quantity_velocity)
