@@ -90,7 +90,7 @@ echo "&output duration=1797 samples=600 quantities='position' /" >>"$scratch/fit
 "$kyvadlo" simulate "$scratch/fitted.nml" --output "$scratch/samples" || complain "foucault: fitted scene"
 awk -F, 'FNR == 1 { next } FILENAME ~ /samples$/ { x[$1 + 0] = $2; y[$1 + 0] = $3; next }
    { seen++; model = $2 == "x" ? x[$1 + 0] : y[$1 + 0]; d = model - $4; r = $3 - $4 - $5; s = $5/0.005 - $6
-     if (!(d < 1e-6 && d > -1e-6 && r < 1e-12 && r > -1e-12 && s < 1e-6 && s > -1e-6)) { if (!bad) print; bad = 1 } }
+     if (!(d < 1e-6 && d > -1e-6 && r < 1e-12 && r > -1e-12 && s < 1e-4 && s > -1e-4)) { if (!bad) print; bad = 1 } }
    END { exit bad || seen != 1200 }' "$scratch/samples" "$scratch/residuals" || complain 'residuals, model and fitted scene differ'
 # Measured less model everywhere: one reading too high is positive in the file and among the outliers.
 awk -F, -v OFS=, '$1 == 30 { $2 += 1 } { print }' $examples/foucault.csv >"$scratch/outlier.csv"
