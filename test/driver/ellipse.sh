@@ -85,7 +85,7 @@ expect_status 0
 checks=$((checks + 1))
 awk -F, 'BEGIN { degree = atan2(0, -1)/180 }
    NR > 1 && $3 > 0.13 { if (!wide) { wide = 1; if (steps++ && (($2 - first)/degree - 30)^2 > 0.04) bad = 1; first = $2 }
-      last = $2; if ((last - first)/degree > 0.5 || last < first) bad = 1 }
+      last = $2; if (((last - first)/degree)^2 > 0.25) bad = 1 }
    NR > 1 && $3 < 0.1 { wide = 0 }
    END { exit !(steps == 6 && !bad) }' out || complain 'five steps of 30 degrees, and rest between them'
 
