@@ -46,9 +46,10 @@ module kyvadlo_sweep_command
    end type request_type
 
    interface
-      function kyvadlo_hold_file(path, descriptor) bind(c) result(status)
+      function kyvadlo_hold_file(path, is_new, descriptor) bind(c) result(status)
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), value :: is_new
          integer(c_int), intent(out) :: descriptor
          integer(c_int) :: status
       end function kyvadlo_hold_file
@@ -56,10 +57,10 @@ module kyvadlo_sweep_command
          import :: c_int
          integer(c_int), value :: descriptor
       end subroutine kyvadlo_let_go
-      function kyvadlo_begin_sweep(unnamed, path, reserve, replace, descriptor) bind(c) result(status)
+      function kyvadlo_begin_sweep(unnamed, path, reserve, descriptor) bind(c) result(status)
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: unnamed(*), path(*)
-         integer(c_int), value :: reserve, replace
+         integer(c_int), value :: reserve
          integer(c_int), intent(out) :: descriptor
          integer(c_int) :: status
       end function kyvadlo_begin_sweep
@@ -72,10 +73,6 @@ module kyvadlo_sweep_command
          import :: c_char
          character(kind=c_char), intent(in) :: text(*)
       end subroutine kyvadlo_last_words
-      function kyvadlo_process() bind(c) result(number)
-         import :: c_int
-         integer(c_int) :: number
-      end function kyvadlo_process
       function kyvadlo_is_held(number) bind(c) result(is)
          import :: c_int
          integer(c_int), value :: number
@@ -310,31 +307,25 @@ contains
       character(len=:), allocatable :: unnamed
       integer(c_int) :: status, old
       integer :: kind
-      logical :: replaces
 
       is_finished = .false.
       old = -1
       kind = int(kyvadlo_kind_of_sweep(request%output//c_null_char))
-      replaces = .false.
-      if (kind >= 0) then
-         if (.not. (request%is_resumed .or. request%is_forced)) then
-            call fail(error, code_file, request%output//' is there already; go on with it by --resume, or ' &
-               //'replace it by --force')
-            return
-         end if
-         status = kyvadlo_hold_file(request%output//c_null_char, old)
-         if (kyvadlo_is_held(status) /= 0) then
-            call fail(error, code_file, request%output//': another run of kyvadlo sweep writes it')
-         else if (status /= 0) then
-            call fail_of_system(error, 'cannot write '//request%output, int(status))
-         end if
-         if (allocated(error)) return
-         replaces = .true.
-         if (request%is_resumed) then
-            if (kind == 2) then
-               call fail(error, code_file, request%output//' is no file of kyvadlo sweep')
-               return
-            end if
+      if (kind >= 0 .and. .not. (request%is_resumed .or. request%is_forced)) then
+         call fail(error, code_file, request%output//' is there already; go on with it by --resume, or ' &
+            //'replace it by --force')
+         return
+      end if
+      ! A new file is held from its first, empty moment on.
+      status = kyvadlo_hold_file(request%output//c_null_char, merge(1_c_int, 0_c_int, kind < 0), old)
+      if (kyvadlo_is_held(status) /= 0) then
+         call fail(error, code_file, request%output//': another run of kyvadlo sweep writes it')
+      else if (status /= 0) then
+         call fail_of_system(error, 'cannot write '//request%output, int(status))
+      else if (request%is_resumed .and. kind >= 0) then
+         if (kind == 2) then
+            call fail(error, code_file, request%output//' is no file of kyvadlo sweep')
+         else
             call open_sweep_file(plan, worker%bins, request%output, .false., file)
             if (file%is_opened .and. .not. file%is_whole) then
                call fail(error, code_file, request%output//' is no file of kyvadlo sweep')
@@ -342,21 +333,24 @@ contains
                call fail(error, code_file, request%output//' is of another plan, or of another build of kyvadlo')
             else if (file%is_of_plan) then
                is_finished = is_sweep_finished(file)
-               descriptor = old
             end if
             call close_sweep_file(file, ignored)
-            if (allocated(error) .or. file%is_of_plan) return
-            ! Its header was never finished.
          end if
       end if
+      descriptor = old
+      if (allocated(error) .or. file%is_of_plan) return
+      ! The header is made beside it: under the name there is never a part of one.
       request%is_resumed = .false.
-      unnamed = request%output//'.'//count_text(int(kyvadlo_process(), int64))//'.kyvadlo-part'
+      unnamed = request%output//'.kyvadlo-part'
       call create_sweep_file(plan, worker%bins, unnamed, error)
       status = 0
       if (.not. allocated(error)) status = kyvadlo_begin_sweep(unnamed//c_null_char, request%output//c_null_char, &
-         merge(0_c_int, 1_c_int, request%is_part), merge(1_c_int, 0_c_int, replaces), descriptor)
+         merge(0_c_int, 1_c_int, request%is_part), descriptor)
       if (status /= 0) call fail_of_system(error, 'cannot write '//request%output, int(status))
-      if (allocated(error)) call remove_file(unnamed)
+      if (allocated(error)) then
+         call remove_file(unnamed)
+         if (kind < 0) call remove_file(request%output)
+      end if
       call kyvadlo_let_go(old)
    end subroutine find_or_make
 
@@ -443,19 +437,19 @@ contains
       type(ranks_type), intent(in) :: ranks
       type(worker_type), intent(inout) :: worker
       type(chunk_type) :: found
-      integer(int64) :: begin, now, rate, points
+      integer(int64) :: points
       integer :: i, tries
-      real(wp) :: seconds, bytes, a_point
+      real(wp) :: begin, seconds, bytes, a_point
 
       points = 0
       tries = 0
-      call system_clock(begin, rate)
+      call cpu_time(begin)
       do
          call compute_chunk(plan, worker, plan%cut%chunks*tries/17, found)
          points = points + found%count
          tries = tries + 1
-         call system_clock(now)
-         seconds = real(now - begin, wp)/rate
+         call cpu_time(seconds)
+         seconds = seconds - begin
          if (tries == 17 .or. seconds > 0.5_wp) exit
       end do
       a_point = seconds/points

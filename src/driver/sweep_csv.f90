@@ -75,7 +75,7 @@ contains
             if (.not. is_nan(value(1))) line = line//shortest_text(value(1))
             line = line//','
          end do
-         call output%put(line//trim(status_words(int(cells%bits(size(cells%bits, 1), point)) + 1)))
+         call output%put(line//trim(status_words(int(cells%bits(size(cells%bits, 1), point)))))
       end do
       call close_output(output, error)
    end subroutine write_csv

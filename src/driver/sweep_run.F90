@@ -30,6 +30,7 @@ module kyvadlo_sweep_run
 
    integer, parameter :: window = 65536              !! Marks that are looked at together
 
+   integer, parameter :: progress_width = 64
    type :: progress_type
       integer(int64) :: start = 0, last_line = 0
       logical :: has_line = .false.
@@ -77,7 +78,7 @@ contains
       end do
       !$omp end parallel
       if (progress%has_line) write (error_unit, '(a)', advance='no') achar(13)//repeat(' ', &
-         min(50, terminal_width() - 1))//achar(13)
+         min(progress_width, terminal_width() - 1))//achar(13)
       if (allocated(error)) call stop_tickets(ranks)
 
    contains
@@ -134,22 +135,23 @@ contains
       end subroutine give_chunk
    end subroutine run_chunks
 
-   !> `12 %  1.20E+06 points/s  34 s left`, over the line before.
+   !> ` 1.20E+08 points, 12 %,  1.20E+06 points/s,  3.40E+01 s left`, over the line before.
    subroutine show(plan, progress, done, total)
       type(plan_type), intent(in) :: plan
       type(progress_type), intent(inout) :: progress
       integer(int64), intent(in) :: done, total
       integer(int64) :: now, rate
-      real(wp) :: seconds, part
-      character(len=50) :: line
+      real(wp) :: seconds, part, points
+      character(len=progress_width) :: line
 
       call system_clock(now, rate)
       seconds = real(now - progress%start, wp)/rate
       if (done == 0 .or. seconds < 1 .or. real(now - progress%last_line, wp) < 0.2_wp*rate) return
       progress%last_line = now
       part = real(done, wp)/total
-      write (line, '(i0," %  ",es8.2," points/s  ",es8.2," s left")') int(100*part), &
-         part*(real(plan%points, wp)*total/plan%cut%chunks)/seconds, seconds*(1 - part)/part
+      points = part*(real(plan%points, wp)*total/plan%cut%chunks)
+      write (line, '(es8.2," points, ",i0," %, ",es8.2," points/s, ",es8.2," s left")') points, int(100*part), &
+         points/seconds, seconds*(1 - part)/part
       write (error_unit, '(a)', advance='no') achar(13)//line(:min(len_trim(line), terminal_width() - 1))
       flush (error_unit)
       progress%has_line = .true.

@@ -44,7 +44,8 @@ contains
    subroutine next_ticket(ranks, ticket)
       type(ranks_type), intent(in) :: ranks
       integer(int64), intent(out) :: ticket
-      integer(int64) :: one, found
+      ! MPI uses them until the flush.
+      integer(int64), asynchronous :: one, found
 
       one = 1
       call MPI_Fetch_and_op(one, found, MPI_INTEGER8, 0, 0_MPI_ADDRESS_KIND, MPI_SUM, ranks%window)
@@ -55,7 +56,7 @@ contains
    !> No more work for anybody.
    subroutine stop_tickets(ranks)
       type(ranks_type), intent(in) :: ranks
-      integer(int64) :: large, found
+      integer(int64), asynchronous :: large, found
 
       large = 2_int64**62
       call MPI_Fetch_and_op(large, found, MPI_INTEGER8, 0, 0_MPI_ADDRESS_KIND, MPI_SUM, ranks%window)

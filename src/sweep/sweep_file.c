@@ -35,13 +35,13 @@ static int hold(int descriptor)
 #endif
 }
 
-/* Opens a file that is there and holds it: EAGAIN if another run does. */
-int kyvadlo_hold_file(const char *path, int *descriptor)
+/* Opens a file and holds it, a new one where `is_new`: EAGAIN if another run does, EEXIST if a new one is there. */
+int kyvadlo_hold_file(const char *path, int is_new, int *descriptor)
 {
    struct stat held, named;
    int status;
 
-   *descriptor = open(path, O_RDWR);
+   *descriptor = open(path, is_new ? O_RDWR | O_CREAT | O_EXCL : O_RDWR, 0666);
    if (*descriptor < 0) return errno;
    status = hold(*descriptor);
    /* It may have been replaced in between. */
@@ -52,12 +52,6 @@ int kyvadlo_hold_file(const char *path, int *descriptor)
       *descriptor = -1;
    }
    return status;
-}
-
-/* The number of this process, for a name that no other run has. */
-int kyvadlo_process(void)
-{
-   return (int)getpid();
 }
 
 /* Whether an errno says that another run holds the file. */
@@ -71,9 +65,9 @@ void kyvadlo_let_go(int descriptor)
    if (descriptor >= 0) close(descriptor);
 }
 
-/* Gives a new file its last length and, if asked, its room on the disk, holds it and gives it its name; an old file of
-   that name stays unless it may be replaced. */
-int kyvadlo_begin_sweep(const char *unnamed, const char *path, int reserve, int replace, int *descriptor)
+/* Gives a new file its last length and, if asked, its room on the disk, holds it and gives it the name of a file that
+   this run holds: nobody else can have written the two meanwhile. */
+int kyvadlo_begin_sweep(const char *unnamed, const char *path, int reserve, int *descriptor)
 {
    struct stat found;
    int status = 0;
@@ -91,16 +85,7 @@ int kyvadlo_begin_sweep(const char *unnamed, const char *path, int reserve, int 
 #endif
    if (status == 0) status = hold(*descriptor);
    if (status == 0 && fsync(*descriptor) != 0 && errno != EINVAL) status = errno;
-   if (status == 0 && !replace) {
-#ifndef _WIN32
-      if (link(unnamed, path) != 0) status = errno;
-      if (status == EPERM || status == EOPNOTSUPP) status = access(path, F_OK) == 0 ? EEXIST : ENOLINK;
-#else
-      status = ENOLINK;
-#endif
-   }
-   if ((replace && status == 0) || status == ENOLINK) status = rename(unnamed, path) == 0 ? 0 : errno;
-   else unlink(unnamed);
+   if (status == 0 && rename(unnamed, path) != 0) status = errno;
    if (status != 0) {
       unlink(unnamed);
       close(*descriptor);

@@ -136,8 +136,8 @@ contains
       if (plan%stores_values) then
          call define_variable(file%nc, 'status', .true., dimensions, file%status)
          call put_text(file%nc, file%status, 'long_name', 'why there are values, or none')
-         call put_flags(file%nc, file%status, 'flag_values', [integer(int8) :: 0, 1, 2, 3])
-         call put_text(file%nc, file%status, 'flag_meanings', 'computed inadmissible refused failed')
+         call put_flags(file%nc, file%status, 'flag_values', [integer(int8) :: 0, 1, 2, 3, 4])
+         call put_text(file%nc, file%status, 'flag_meanings', 'open computed inadmissible refused failed')
       end if
       call end_definitions(file%nc)
       call write_coordinates(plan, bins, file)
@@ -386,7 +386,8 @@ contains
       integer(int8), allocatable :: marks(:)
       integer(int8) :: complete(1)
       real(wp) :: total(reduction_size(bins)), more(reduction_size(bins)), one(1)
-      integer(int64) :: chunk, first
+      real(wp), allocatable :: parts(:)              !! Reductions of some chunks
+      integer(int64) :: chunk, chunks, first, many
       integer :: i, j, at
 
       missing = 0
@@ -400,10 +401,20 @@ contains
       end do
       call check_netcdf(file%nc, 'cannot read the file', error)
       if (missing > 0 .or. allocated(error)) return
-      do chunk = 0, plan%cut%chunks - 1
-         call read_doubles(file%nc, file%reduction, [1_int64, chunk + 1], [size(more, kind=int64), 1_int64], more)
-         if (chunk == 0) total = more
-         if (chunk > 0) call merge_reductions(bins, total, more)
+      many = max(1, buffer/size(total))
+      allocate (parts(size(total)*many))
+      first = 0
+      do while (first < plan%cut%chunks)
+         chunks = min(many, plan%cut%chunks - first)
+         call read_doubles(file%nc, file%reduction, [1_int64, first + 1], [size(total, kind=int64), chunks], &
+            parts(:size(total)*chunks))
+         do chunk = 1, chunks
+            associate (part => parts((chunk - 1)*size(total) + 1:chunk*size(total)))
+               if (first + chunk == 1) total = part
+               if (first + chunk > 1) call merge_reductions(bins, total, part)
+            end associate
+         end do
+         first = first + chunks
       end do
       more = total
       call write_doubles(file%nc, file%status_points, [1_int64], [int(status_count, int64)], total(:status_count))

@@ -5,7 +5,8 @@ module kyvadlo_sweep_measures
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: entry_type, group_type
    use kyvadlo_quantities, only: quantities
-   use kyvadlo_scene_groups, only: setting_place, settings, pendulum_group, starts
+   use kyvadlo_scene_groups, only: setting_place, settings, pendulum_group, start_energy_above_bottom, &
+      start_energy_above_top, start_state, starts
    use kyvadlo_status, only: error_type
    use kyvadlo_sweep_axes, only: count_of, number_of, plain_name, text_of
    use kyvadlo_text, only: shown, split_words
@@ -58,7 +59,7 @@ module kyvadlo_sweep_measures
       character(len=:), allocatable :: name      !! Of the variable
       integer :: kind = 0                        !! One of the constants above
       integer :: components = 1
-      integer :: slope = 0                       !! Of a derivative: 1 length, 2 gravity, 3 and 4 the start
+      integer :: slope = 0                       !! Of a derivative: its column among those of the core
       integer :: quantity = 0, column = 0        !! Of a sampled one: place in `quantities`, which of its columns
       character(len=:), allocatable :: unit, meaning
       integer :: histogram = 0                   !! Place among the histograms; 0: values are stored
@@ -201,18 +202,16 @@ contains
       if (measure%kind > 0) return
       call refuse(error, group, entry%line, "quantities: unknown word '"//shown(word)//"'; known are "// &
          trim(known_words())//', least_, greatest_, first_, last_ before a column of simulate ' &
-         //'(least_tension), dT_d and dadvance_d before length, gravity and the two names of a ' &
-         //'start by heights, gaps or rises')
+         //'(least_tension), dT_d and dadvance_d before length, gravity and the names of the start')
    end subroutine read_word
 
-   !> `dT_dlength`, `dadvance_dz_upper`.
+   !> `dT_dlength`, `dadvance_dz_upper`, `dT_dvelocity_2`.
    pure subroutine read_slope(measure, start)
       type(measure_type), intent(inout) :: measure
       integer, intent(in) :: start
       character(len=:), allocatable :: of, unit
       integer :: place
 
-      if (start < 1 .or. start > 3) return
       if (index(measure%name, 'dT_d') == 1) then
          of = measure%name(5:)
          measure%unit = 's'
@@ -222,16 +221,37 @@ contains
       else
          return
       end if
-      measure%slope = findloc([character(len=19) :: 'length', 'gravity', starts(start)%first, &
-         starts(start)%second], of, 1)
+      select case (start)
+      case (start_state)
+         measure%slope = findloc([character(len=10) :: 'position_1', 'position_2', 'position_3', 'velocity_1', &
+            'velocity_2', 'velocity_3', 'length', 'gravity'] == of, .true., 1)
+      case (start_energy_above_top, start_energy_above_bottom)
+         ! An energy from a point that the length moves has none.
+      case default
+         measure%slope = findloc([character(len=19) :: 'length', 'gravity', starts(start)%first, &
+            starts(start)%second] == of, .true., 1)
+      end select
       if (measure%slope == 0) return
       measure%kind = merge(exact_period_slope, exact_advance_slope, measure%unit == 's')
       measure%meaning = 'derivative of '//merge('T      ', 'advance', measure%unit == 's')
       measure%meaning = trim(measure%meaning)//' with respect to '//of
+      if (start == start_state .and. measure%slope < 7) of = of(:len(of) - 2)
       place = setting_place(pendulum_group, of)
-      unit = ' m-1'
-      if (settings(place)%unit == 'm/s2') unit = ' m-1 s2'
-      measure%unit = measure%unit//unit
+      select case (settings(place)%unit)
+      case ('m/s2')
+         unit = 'm-1 s2'
+      case ('m2/s2')
+         unit = 'm-2 s2'
+      case ('m2/s')
+         unit = 'm-2 s'
+      case ('m/s')
+         unit = 'm-1 s'
+      case ('deg')
+         unit = 'degree-1'
+      case default
+         unit = 'm-1'
+      end select
+      measure%unit = measure%unit//' '//unit
    end subroutine read_slope
 
    !> The quantity of `simulate` and its column of this name; 0: there is none.

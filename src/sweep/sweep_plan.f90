@@ -71,6 +71,7 @@ module kyvadlo_sweep_plan
    integer(int64), parameter :: most_stored = 65536, most_reduced = 1048576, least_exact = 1024
    !> Of scenes: one alone in small sweeps, so that no rank waits for another's chunk.
    integer(int64), parameter :: most_scenes = 64, scenes_per_chunk = 8192
+   integer(int64), parameter :: most_chunks = 2_int64**24   !! Whose numbers one rank gives out in half a minute
    integer(int64), parameter :: most_points = 10_int64**15
 
 contains
@@ -110,10 +111,8 @@ contains
       measure = 0
       do i = 1, size(all_groups)
          if (all_groups(i)%name /= 'measure') cycle
-         if (measure > 0) then
-            call refuse(error, all_groups(i), all_groups(i)%line, 'a second &measure')
-            return
-         end if
+         if (measure > 0) call refuse(error, all_groups(i), all_groups(i)%line, 'a second &measure')
+         if (allocated(error)) return
          measure = i
       end do
       if (measure == 0) then
@@ -125,7 +124,8 @@ contains
       if (.not. allocated(error)) call check_scene(plan, error)
       if (allocated(error)) return
       if (plan%is_sampled) then
-         call new_cut(plan%cut, plan%dimensions%count, max(1_int64, min(most_scenes, plan%points/scenes_per_chunk)))
+         call new_cut(plan%cut, plan%dimensions%count, max(1_int64, min(most_scenes, plan%points/scenes_per_chunk), &
+            plan%points/most_chunks))
       else if (plan%stores_values) then
          call new_cut(plan%cut, plan%dimensions%count, min(most_stored, max(least_exact, plan%points/256)))
       else
@@ -386,9 +386,8 @@ contains
       character(len=1) :: text
 
       text = '0'
-      if (rule == rule_positive) text = '1'
+      if (rule == rule_positive .or. rule == rule_any) text = '1'
       if (rule == rule_count) text = '2'
-      if (rule == rule_any) text = '1'
    end function harmless
 
    !> What the measures ask of the scene.

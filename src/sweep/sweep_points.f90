@@ -3,25 +3,24 @@
 module kyvadlo_sweep_points
    use, intrinsic :: iso_fortran_env, only: int8, int64
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest
-   use kyvadlo_derivatives_real64, only: derivatives_type, new_derivatives_from_gaps, new_derivatives_from_heights, &
-      new_derivatives_from_rises
+   use kyvadlo_derivatives_real64
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_orbit_real64, only: orbit_type
-   use kyvadlo_periods, only: orbits_period_from_gaps
    use kyvadlo_scene, only: pendulum_type
-   use kyvadlo_scene_groups, only: start_gaps, start_heights
+   use kyvadlo_scene_groups, only: pendulum_group, settings, start_energy, start_gaps, start_heights, start_release, &
+      start_rises
    use kyvadlo_scene_reader, only: pendulums_from_groups
    use kyvadlo_scene_settings_reader, only: settings_from_groups
    use kyvadlo_simulate, only: simulate
-   use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type
    use kyvadlo_start_real64, only: new_orbit
    use kyvadlo_status, only: code_unsupported, error_type
    use kyvadlo_sweep_axes, only: axis_values
    use kyvadlo_sweep_chunks, only: chunk_range
    use kyvadlo_sweep_measures
+   use kyvadlo_sweep_periods, only: compute_periods, edge, eval_constants, least_run, reduce_periods
    use kyvadlo_sweep_plan
    use kyvadlo_sweep_reductions
    use kyvadlo_sweep_samples, only: begin_measures, get_measures, measured_samples_type
@@ -39,43 +38,95 @@ contains
       integer(int64), intent(in) :: chunk
       type(chunk_type), intent(inout) :: found
       integer(int64) :: first, count, done
-      integer :: i, j, n, at
+      integer :: i, n, at
 
       call chunk_range(plan%cut, chunk, first, count)
       call size_chunk(plan, worker%bins, chunk, count, found)
-      done = 0
-      do while (done < count)
-         n = int(min(int(block_points, int64), count - done))
-         call set_coordinates(plan, worker, first + done, n)
-         worker%values(:, :n) = quiet_nan_real64
-         if (plan%is_period_of_gaps) then
-            call compute_periods(plan, worker, n)
-         else
-            do i = 1, n
-               call compute_point(plan, worker, i)
-            end do
-         end if
-         do i = 1, status_count
-            found%reduction(i) = found%reduction(i) + count_status(worker%status(:n), i - 1)
+      at = status_count
+      do i = 1, size(worker%bins)
+         call begin_reduction(worker%bins(i), found%reduction(at + 1:at + items + worker%bins(i)%count))
+         at = at + items + worker%bins(i)%count
+      end do
+      if (plan%is_period_of_gaps .and. .not. plan%stores_values .and. &
+         plan%dimensions(size(plan%dimensions))%count >= least_run) then
+         call reduce_periods(plan, worker, first, count, found)
+      else
+         done = 0
+         do while (done < count)
+            n = int(min(int(block_points, int64), count - done))
+            call compute_block(plan, worker, first + done, done, n, found)
+            done = done + n
          end do
-         if (allocated(found%status)) found%status(done + 1:done + n) = worker%status(:n)
-         at = 0
-         j = status_count
-         do i = 1, size(plan%measures)
-            associate (m => plan%measures(i)%components)
-               if (plan%measures(i)%histogram == 0) found%stored(i)%values(:, done + 1:done + n) = &
-                  worker%values(at + 1:at + m, :n)
-               at = at + m
-            end associate
-         end do
-         do i = 1, size(plan%histograms)
-            j = j + items + worker%bins(i)%count
-            call reduce_block(worker%bins(i), worker%values(component_of(plan, i), :n), &
-               found%reduction(j - items - worker%bins(i)%count + 1:j))
-         end do
-         done = done + n
+      end if
+      at = status_count
+      do i = 1, size(worker%bins)
+         call end_reduction(worker%bins(i), found%reduction(at + 1:at + items + worker%bins(i)%count))
+         at = at + items + worker%bins(i)%count
       end do
    end subroutine compute_chunk
+
+   !> Some points of a chunk, from one on.
+   subroutine compute_block(plan, worker, first, done, n, found)
+      type(plan_type), intent(in) :: plan
+      type(worker_type), intent(inout) :: worker
+      integer(int64), intent(in) :: first, done      !! Point of the sweep; points of the chunk before it
+      integer, intent(in) :: n
+      type(chunk_type), intent(inout) :: found
+      real(wp) :: values(block_points)
+      integer :: i, j, at
+
+      call set_coordinates(plan, worker, first, n)
+      worker%values(:, :n) = quiet_nan_real64
+      if (plan%is_period_of_gaps) then
+         call compute_periods(plan, worker, n)
+      else
+         do i = 1, n
+            call compute_point(plan, worker, i)
+         end do
+      end if
+      do i = 1, status_count
+         found%reduction(i) = found%reduction(i) + count_status(worker%status(:n), i)
+      end do
+      if (allocated(found%status)) found%status(done + 1:done + n) = worker%status(:n)
+      at = 0
+      do i = 1, size(plan%measures)
+         associate (m => plan%measures(i)%components)
+            if (plan%measures(i)%histogram == 0) found%stored(i)%values(:, done + 1:done + n) = &
+               worker%values(at + 1:at + m, :n)
+            at = at + m
+         end associate
+      end do
+      j = status_count
+      do i = 1, size(plan%histograms)
+         values(:n) = worker%values(component_of(plan, i), :n)
+         call reduce_block(worker%bins(i), values(:n), found%reduction(j + 1:j + items + worker%bins(i)%count))
+         j = j + items + worker%bins(i)%count
+      end do
+   end subroutine compute_block
+
+   !> Whether two turning heights are none by more than what rounding may change. The set-up refuses them too, but its
+   !> message takes many times as long as an orbit.
+   pure logical function is_far_off(start, length, first, second)
+      integer, intent(in) :: start
+      real(wp), intent(in) :: length, first, second
+      real(wp) :: upper, lower, margin
+
+      is_far_off = .false.
+      lower = second - length
+      select case (start)
+      case (start_heights)
+         upper = first
+         lower = second
+      case (start_gaps)
+         upper = length - first
+      case (start_rises)
+         upper = first - length
+      case default
+         return
+      end select
+      margin = 2*abs(length)*edge
+      is_far_off = lower > upper + margin .or. upper + lower > margin .or. lower < -length - margin
+   end function is_far_off
 
    !> Where the quantity of a histogram stands among the components.
    pure integer function component_of(plan, histogram) result(at)
@@ -99,17 +150,11 @@ contains
       type(bins_type), intent(in) :: bins(:)
       integer(int64), intent(in) :: chunk, count
       type(chunk_type), intent(inout) :: found
-      integer :: i, at
+      integer :: i
 
       found%chunk = chunk
       if (.not. allocated(found%reduction)) allocate (found%reduction(reduction_size(bins)))
       found%reduction = 0
-      at = status_count
-      do i = 1, size(bins)
-         found%reduction(at + item_least) = huge(1.0_wp)
-         found%reduction(at + item_greatest) = -huge(1.0_wp)
-         at = at + items + bins(i)%count
-      end do
       if (found%count == count) return
       found%count = count
       if (.not. plan%stores_values) return
@@ -160,39 +205,6 @@ contains
       end do
    end subroutine set_coordinates
 
-   !> T alone over the two gaps, by the vector kernel; where the set-up may refuse more than it does, by the set-up.
-   subroutine compute_periods(plan, worker, count)
-      type(plan_type), intent(in) :: plan
-      type(worker_type), intent(inout) :: worker
-      integer, intent(in) :: count
-      real(wp), dimension(count) :: upper_gap, lower_rise, period
-      real(wp) :: length, gravity
-      integer :: i
-
-      upper_gap = plan%numbers%first(1)
-      lower_rise = plan%numbers%second(1)
-      do i = 1, size(plan%axes)
-         if (plan%targets(i)%column == column_first) upper_gap = worker%coordinates(:count, i)
-         if (plan%targets(i)%column == column_second) lower_rise = worker%coordinates(:count, i)
-      end do
-      length = plan%numbers%length
-      associate (effects => plan%scene%settings%effects)
-         gravity = effective_gravity(plan%numbers%gravity, effects%density_ratio, effects%added_mass)
-      end associate
-      call orbits_period_from_gaps(length, gravity, upper_gap, lower_rise, period)
-      worker%status(:count) = int(merge(status_computed, status_inadmissible, period == period), int8)
-      do i = 1, size(plan%measures)
-         worker%values(i, :count) = period
-      end do
-      ! At the edges of what is admissible the set-up decides, as it does elsewhere.
-      if (minval(lower_rise) > 0 .and. maxval(upper_gap + lower_rise) < 2*length) return
-      do i = 1, count
-         if (lower_rise(i) > 0 .and. upper_gap(i) + lower_rise(i) < 2*length) cycle
-         worker%values(:, i) = quiet_nan_real64
-         call compute_point(plan, worker, i)
-      end do
-   end subroutine compute_periods
-
    !> One point of the block.
    subroutine compute_point(plan, worker, point)
       type(plan_type), intent(in) :: plan
@@ -216,7 +228,7 @@ contains
       type(orbit_type) :: orbit
       type(derivatives_type) :: slopes
       type(error_type), allocatable :: error
-      real(wp) :: numbers(orbit_columns), gravity, rest, constants(8), period_slopes(4), advance_slopes(4)
+      real(wp) :: numbers(orbit_columns), gravity, rest, constants(8), period_slopes(8), advance_slopes(8)
       integer :: i, n, at
 
       associate (effects => plan%scene%settings%effects, start => plan%scene%pendulum%start)
@@ -231,26 +243,34 @@ contains
             gravity = effective_gravity(numbers(column_gravity), ratio, mass)
             rest = effective_gravity_rest(numbers(column_gravity), ratio, mass)
          end associate
+         if (is_far_off(start, numbers(column_length), numbers(column_first), numbers(column_second))) return
          n = plan%scene%pendulum%values
          call new_orbit(orbit, start, numbers(column_length), gravity, numbers(column_first:column_first + n - 1), &
             numbers(column_second:column_second + n - 1), error, rest)
          if (allocated(error)) return
-         constants = [orbit%period(), orbit%modulus(), orbit%complementary_modulus(), orbit%quarter_period(), &
-            orbit%nome(), orbit%azimuth_rate(), orbit%azimuth_per_period(), orbit%apsidal_advance()]
+         constants = eval_constants(orbit)
          ! What `eval orbit` refuses.
          if (any(constants /= constants)) return
          status = status_computed
          if (any(plan%measures%slope > 0)) then
-            if (start == start_heights) then
-               call new_derivatives_from_heights(slopes, numbers(1), gravity, numbers(column_first), &
-                  numbers(column_second), error)
-            else if (start == start_gaps) then
-               call new_derivatives_from_gaps(slopes, numbers(1), gravity, numbers(column_first), &
-                  numbers(column_second), error)
-            else
-               call new_derivatives_from_rises(slopes, numbers(1), gravity, numbers(column_first), &
-                  numbers(column_second), error)
-            end if
+            associate (length => numbers(column_length), first => numbers(column_first), &
+               second => numbers(column_second))
+               select case (start)
+               case (start_heights)
+                  call new_derivatives_from_heights(slopes, length, gravity, first, second, error)
+               case (start_gaps)
+                  call new_derivatives_from_gaps(slopes, length, gravity, first, second, error)
+               case (start_rises)
+                  call new_derivatives_from_rises(slopes, length, gravity, first, second, error)
+               case (start_energy)
+                  call new_derivatives_from_energy(slopes, length, gravity, first, second, error)
+               case (start_release)
+                  call new_derivatives_from_release(slopes, length, gravity, first, second, error)
+               case default
+                  call new_derivatives_from_state(slopes, length, gravity, numbers(column_first:column_first + 2), &
+                     numbers(column_second:column_second + 2), error)
+               end select
+            end associate
             period_slopes = quiet_nan_real64
             advance_slopes = quiet_nan_real64
             if (.not. allocated(error)) call slopes%of_period(period_slopes, advance_slopes)
@@ -285,7 +305,6 @@ contains
       type(worker_type), intent(inout) :: worker
       integer, intent(in) :: point
       integer, intent(inout) :: status
-      type(simulation_type) :: scene
       type(pendulum_type), allocatable :: pendulums(:)
       type(path_type) :: path
       type(measured_samples_type) :: samples
@@ -299,21 +318,24 @@ contains
          end associate
       end do
       status = status_inadmissible
-      call settings_from_groups(worker%groups, plan%file, scene%settings, error)
-      if (.not. allocated(error)) call pendulums_from_groups(worker%groups, plan%file, pendulums, error)
+      ! What no axis varies stays as it was read.
+      if (any(settings(plan%targets%setting)%group /= pendulum_group)) then
+         call settings_from_groups(worker%groups, plan%file, worker%scene%settings, error)
+         worker%scene%settings%quantities = plan%scene%settings%quantities
+      end if
+      if (.not. allocated(error) .and. any(settings(plan%targets%setting)%group == pendulum_group)) then
+         call pendulums_from_groups(worker%groups, plan%file, pendulums, error)
+         if (.not. allocated(error)) worker%scene%pendulum = pendulums(1)
+      end if
       if (allocated(error)) return
-      scene%pendulum = pendulums(1)
-      scene%text = ''
-      scene%folder = plan%scene%folder
-      scene%settings%quantities = plan%scene%settings%quantities
-      call choose_path(scene, path, error)
+      call choose_path(worker%scene, path, error)
       if (allocated(error)) then
          if (error%code == code_unsupported) status = status_refused
          return
       end if
       path%threads = 1
       call begin_measures(samples, plan%measures, plan%watch)
-      call simulate(scene, path, samples, error)
+      call simulate(worker%scene, path, samples, error)
       status = merge(status_failed, status_computed, allocated(error))
       if (.not. allocated(error)) call get_measures(samples, worker%values(:, point))
    end subroutine measure_samples

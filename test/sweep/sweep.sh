@@ -108,7 +108,11 @@ fails 2 'the parts lack' sweep plan.nml --merge part3.nc part1.nc --output short
 run sweep plan.nml --output part2.nc --resume
 same one.nc part2.nc
 if [ -n "$mpirun" ]; then
-   for n in 1 2 4; do
+   run sweep "$plans/periods.nml"
+   cp out alone.csv
+   ranks 3 "$plans/periods.nml" >shared.csv 2>err
+   same alone.csv shared.csv
+   for n in 1 2 3 5 8 16; do
       command_line="mpirun -n $n kyvadlo sweep"
       ranks "$n" plan.nml --output "ranks$n.nc" >out 2>err
       same one.nc "ranks$n.nc"
@@ -122,46 +126,73 @@ expect_status 0
 kills=0
 unfinished=0
 patience=10
-rm -f killed.nc
+rm -f killed-$$.nc
 while [ "$kills" -lt 20 ]; do
    kills=$((kills + 1))
    if [ -n "$mpirun" ]; then
-      ranks $((kills % 3 + 1)) wide.nml --output killed.nc --resume >out 2>err &
+      ranks $((kills % 3 + 1)) wide.nml --output killed-$$.nc --resume >out 2>err &
    else
-      "$program" sweep wide.nml --output killed.nc --threads $((kills % 3 + 1)) --resume >out 2>err &
+      "$program" sweep wide.nml --output killed-$$.nc --threads $((kills % 3 + 1)) --resume >out 2>err &
    fi
    pid=$!
    sleep "0.$((kills * 37 % 80 + 10))"
    signal=$([ $((kills % 2)) -eq 0 ] && echo TERM || echo KILL)
-   # The ranks of this run, each by its number; not those of the same test of another build.
-   for process in $(ps -e -o pid= -o args= |
-      awk -v program="$program" 'index($0, program) && /killed\.nc/ && !/awk/ && !/mpirun/ { print $1 }'); do
+   # The ranks of this run, each by its number; the file has a name that no other test has.
+   for process in $(ps -e -o pid= -o args= | awk '/killed-'$$'\.nc/ && !/awk/ && !/mpirun/ { print $1 }'); do
       kill -"$signal" "$process" 2>/dev/null
       [ "$signal" = KILL ] || break
    done
    wait "$pid" 2>/dev/null
-   if cmp -s wide.nc killed.nc; then rm -f killed.nc; else unfinished=$((unfinished + 1)); fi
+   if cmp -s wide.nc killed-$$.nc; then rm -f killed-$$.nc; else unfinished=$((unfinished + 1)); fi
 done
-run sweep wide.nml --output killed.nc --resume
+run sweep wide.nml --output killed-$$.nc --resume
 expect_status 0
-same wide.nc killed.nc
+same wide.nc killed-$$.nc
 checks=$((checks + 1))
 [ "$unfinished" -gt 0 ] || complain 'no run was ended early'
 
-# A second run on the file of a first; a disk without room.
+# Killed while the header is written: what is left is the empty file and the header beside it, and the next run goes over both.
+: >begun.nc
+head -c 300 wide.nc >begun.nc.kyvadlo-part
+fails 2 'begun.nc is there already' sweep plan.nml --output begun.nc
+run sweep plan.nml --output begun.nc --resume
+expect_status 0
+same one.nc begun.nc
+checks=$((checks + 1))
+[ ! -e begun.nc.kyvadlo-part ] || complain 'the header beside the file must be gone'
+
+# Not computed yet is what the status of an unfinished file says, and a part has no values where it computed none.
+if command -v ncdump >/dev/null; then
+   cat >few.nml <<'END'
+&pendulum length = 1 /
+&axis name = 'z_upper', from = 0, to = 0.1, count = 2048 /
+&axis name = 'z_lower', values = -0.9 /
+&measure quantities = 'T' /
+END
+   run sweep few.nml --output few.nc --part 1/2
+   expect_status 0
+   checks=$((checks + 1))
+   ncdump -v status few.nc | sed '1,/^ status =/d' | grep -o '[0-9]' | sort | uniq -c | tr -s ' ' >found
+   printf ' 1024 0\n 1024 1\n' >expected
+   cmp -s expected found || complain 'half of the points are open'
+fi
+
+# A second run on the file of a first; interrupted, it says how to go on; a disk without room.
 cat >long.nml <<'END'
 &pendulum length = 1 /
 &axis name = 'z_upper', from = -0.5, to = 1, count = 3000 /
 &axis name = 'z_lower', from = -1, to = -0.3, count = 3000 /
 &measure quantities = 'T' /
 END
-"$program" sweep long.nml --output long.nc 2>/dev/null &
+"$program" sweep long.nml --output long.nc 2>long.err &
 pid=$!
 i=0
 while [ ! -f long.nc ] && [ "$i" -lt 100 ]; do i=$((i + 1)); sleep 0.1; done
 fails 2 'another run of kyvadlo sweep writes it' sweep long.nml --output long.nc --resume
 kill -TERM "$pid"
 wait "$pid" 2>/dev/null
+checks=$((checks + 1))
+grep -q 'go on with: kyvadlo sweep long.nml --output long.nc --resume' long.err || complain "the words: $(cat long.err)"
 # MPI itself does not start under a small ulimit -f: a disk of its own, where one may mount it.
 mkdir small
 if mount -t tmpfs -o size=64k none small 2>/dev/null; then
