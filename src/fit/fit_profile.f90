@@ -36,7 +36,7 @@ contains
       real(wp), intent(out) :: ends
       type(pulled_type) :: pulled
       type(minimum_type) :: minimum
-      real(wp) :: y(size(x)), squares, distance, root, below, above, root_below, root_above
+      real(wp) :: y(size(x)), squares, distance, root, below, above, root_below, root_above, last
       integer :: tries
       logical :: failed
       integer, parameter :: most_tries = 25
@@ -56,6 +56,7 @@ contains
       root_below = 0
       above = huge(above)
       root_above = 0
+      last = best
       do tries = 1, most_tries
          pulled%target = best + side*distance
          y = x
@@ -72,6 +73,9 @@ contains
          root = sqrt(max(squares - least, 0.0_wp))
          if (abs(root - 1) < close) return
          if (root < 1) then
+            ! A pull that grows and moves it no more: it is at a bound.
+            if (tries > 1 .and. above >= huge(above) .and. abs(ends - last) < 1e-3_wp*sigma) exit
+            last = ends
             below = distance
             root_below = root
          else
