@@ -5,7 +5,7 @@ module kyvadlo_bulirsch_real32
    use kyvadlo_carlson_rc_real64, only: carlson_rc
    use kyvadlo_carlson_rd_real64, only: carlson_rd
    use kyvadlo_carlson_rf_real64, only: carlson_rf
-   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_cel_positive, only: cel_positive, scaled_cel
    use kyvadlo_incomplete_pi_real64, only: first_turn
 #include "bulirsch.inc"
 end module kyvadlo_bulirsch_real32
@@ -16,7 +16,7 @@ module kyvadlo_bulirsch_real64
    use kyvadlo_carlson_rc_real64, only: carlson_rc
    use kyvadlo_carlson_rd_real64, only: carlson_rd
    use kyvadlo_carlson_rf_real64, only: carlson_rf
-   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_cel_positive, only: cel_positive, scaled_cel
    use kyvadlo_incomplete_pi_real64, only: first_turn
 #include "bulirsch.inc"
 end module kyvadlo_bulirsch_real64
@@ -28,7 +28,7 @@ module kyvadlo_bulirsch_real128
    use kyvadlo_carlson_rc_real128, only: carlson_rc
    use kyvadlo_carlson_rd_real128, only: carlson_rd
    use kyvadlo_carlson_rf_real128, only: carlson_rf
-   use kyvadlo_cel_positive, only: cel_positive
+   use kyvadlo_cel_positive, only: cel_positive, scaled_cel
    use kyvadlo_incomplete_pi_real128, only: first_turn
 #include "bulirsch.inc"
 end module kyvadlo_bulirsch_real128

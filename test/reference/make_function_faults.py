@@ -6,6 +6,8 @@ import flint
 from flint import acb, arb
 from mpmath import mp
 
+import make_bulirsch
+
 flint.ctx.prec = 6000
 mp.prec = 6000
 
@@ -20,6 +22,12 @@ def quad(text):
     from legendre_reference import rounded
     f = rounded(Fraction(text), 128)
     return arb(flint.fmpq(f.numerator, f.denominator))
+
+
+def single(text):
+    """The number of real32 nearest to a decimal."""
+    from legendre_reference import rounded
+    return rounded(Fraction(text), 32)
 
 
 def show(name, value):
@@ -68,10 +76,18 @@ show('FAULT_RJ_3', rj_negative(5e-324, 0.0, 1.270196509085502e240, 5e-324))
 show('FAULT_RJ_4', rj_negative(0.0, 1e-305, 2e148, 1e234))
 show('FAULT_RJ_5', rj_negative(1e-306, 1e-304, 1e20, 1e298))
 show('FAULT_RJ_6', rj_negative(1e-233, 0.0, 1e-205, 2e-16))
+show('FAULT_RJ_7', rj_negative(*map(single, ('2.42698819874e-26', '5.27242519946e-26', '0', '7.76962355950e-26'))))
+show('FAULT_RJ_8', rj_negative(7.376726597650134e186, 7.3767249426479424e186, 7.3767256363859748e186, 5.434722104253712e-322))
+show('FAULT_RJ_9', rj_negative(8.674e307, 0.0, 9.181e-318, 9.181e-318))
+show('FAULT_RJ_10', rj_negative(*map(single, ('5.9930610656738281', '11521064', '7.1597394406657901e28', '5.9794793128967285'))))
 show('FAULT_PI', acb.elliptic_pi(acb(a(-1e308)), acb(a(-1e308))).real)
 show('FAULT_EINC', acb.elliptic_e_inc(acb(a(4e307)), acb(a(0.9999999999999999))).real)
 show('FAULT_PIINC_3', pi_inc(-1e308, 1.0, -1e308))
 show('FAULT_PIINC_4', pi_inc(1.5, 1.0, -1.7e308))
+# 2 N times the complete integral and a rest that is less than it, Pi(n) = K - Pi(m/n)
+n, phi, m = a(7.7592607015165089e258), a(-3.6127151104460792e244), a(-1.0791389499932062e-162)
+turns = (phi/arb.pi()).floor() + 1
+print('FAULT_PIINC_5 about', 2*turns*(acb(m).elliptic_k().real - acb.elliptic_pi(acb(m/n), acb(m)).real))
 # u so small that Z = u (1 - E/K) to all digits
 m = a(-1e300)
 show('FAULT_ZETA', a(1e-323)*(1 - acb(m).elliptic_e().real/acb(m).elliptic_k().real))
@@ -104,3 +120,15 @@ def far():
 
 
 far()
+f = Fraction
+show('FAULT_CEL', make_bulirsch.cel(f(0.5), f(1e-232), f(1.0), f(1e100))[0])
+show('FAULT_CEL_2', make_bulirsch.cel(f(3.11e-52), f(-3.6), f(1.94e-51), f(4.53e306))[0])
+show('FAULT_CEL_3', make_bulirsch.cel(f(3.67e307), f(0.2), f(0.3), f(1.33e307))[0])
+show('FAULT_CEL_4', make_bulirsch.cel(f(2.4e140), f(-2.5e140), f(2.159e233), f(2.16e233))[0])
+show('FAULT_EL2', make_bulirsch.el2(f(13.9), f(0.11), f(4.64e304), f(-8.36e307))[0])
+show('FAULT_EL2_2', make_bulirsch.el2(f(0.62), f(1.66e307), f(-1.76e-12), f(8.34e-12))[0])
+# sn(u, m) = sn(u k, 1/m)/k, the sine over k to 38 digits
+k = a(1e38).sqrt()
+show('FAULT_JACOBI', (a(1e3)*k).sin()/k)
+k = a(1e30).sqrt()
+show('FAULT_JACOBI_2', (a(1e6)*k).sin()/k)
