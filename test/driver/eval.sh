@@ -31,7 +31,7 @@ expect_status 0
 fails 1 "error: unknown name 'k'" eval k 0.5
 fails 1 'error: K: needs the arguments m, got 0 of 1' eval K
 fails 1 'error: K: needs the arguments m, got 2 of 1' eval K 0 0
-fails 1 'error: K: outside the domain (m <= 1), got 2e+00' eval K 2
+fails 1 'error: K: outside the domain (m <= 1), got 2.0' eval K 2.0
 fails 1 "error: K: argument 1: '0x1p3': not a number" eval K 0x1p3
 fails 1 "error: K: argument 1: '1,5': not a number" eval K 1,5
 fails 1 "error: K: argument 1: 'nan': not a number" eval K nan
@@ -48,7 +48,7 @@ fails 1 'error: turning: energy and momentum: the energy is below' eval turning 
 fails 1 'error: cubic: the coefficients must not all be zero' eval cubic 0 0 0 0
 fails 1 'error: passage_height: outside the domain (z2 <= z <= z1), got ' eval passage_height 1 1 0 -1 0.5
 fails 1 'error: theta: outside the domain (i = 1, 2, 3 or 4' eval theta 2.5 0 0.5
-fails 1 'error: rf: outside the domain (x, y, z >= 0), got -1e+00 2e+00 3e+00' eval rf -1 2 3
+fails 1 'error: rf: outside the domain (x, y, z >= 0), got -1 2 3' eval rf -1 2 3
 fails 1 'error: jacobi: overflow' eval jacobi 1e200 -1e250
 fails 1 'error: zetac: overflow' eval zetac 1e200 1e250
 fails 1 'error: zeta: outside the domain (m <= 1), got' eval zeta 1 2
