@@ -236,6 +236,9 @@ contains
       logical :: has_derivatives
 
       has_derivatives = block%column(quantity_derivatives) > 0
+#ifndef KYVADLO_WITH_GSL
+      if (present(watcher)) continue  ! Only an integration needs it
+#endif
       select case (path%path)
       case (path_constant)
          call fill_constant(path, block)
@@ -356,6 +359,9 @@ contains
 #ifdef KYVADLO_WITH_GSL
       case (path_integrated)
          call fill_within(probe%work%integrated, probe%path, probe%block, exactly)
+#else
+      case default
+         if (exactly) continue  ! Exact they are
 #endif
       end select
       call show_block(probe%simulation, probe%path, probe%block)
@@ -425,6 +431,7 @@ contains
          end associate
 #endif
       case default
+         if (work%is_checked) continue  ! Only an integration has more in it
          call move_alloc(found, events)
       end select
    end subroutine gather_events
