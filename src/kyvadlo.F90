@@ -35,7 +35,8 @@ module kyvadlo
    use kyvadlo_derivatives, only: derivatives_type_real128
 #endif
    use kyvadlo_derivatives, only: derivatives_type, new_derivatives_from_heights, new_derivatives_from_gaps, &
-      new_derivatives_from_rises, new_derivatives_from_energy, new_derivatives_from_release, new_derivatives_from_state
+      new_derivatives_from_rises, new_derivatives_from_energy, new_derivatives_from_energy_above_top, &
+      new_derivatives_from_energy_above_bottom, new_derivatives_from_release, new_derivatives_from_state
    use kyvadlo_accuracy
    use kyvadlo_periods, only: orbit_period_from_gaps, orbits_period_from_gaps
    use kyvadlo_many_orbits, only: orbits_advance_from_gaps, orbits_locate_from_gaps

@@ -11,11 +11,10 @@ module kyvadlo_derivative_constants
 
    !> Powers of a short time: the nearest pole, at i K' in w, is about four times as far as this, and 4**(-n)
    !> below epsilon.
-   integer, parameter :: most_short = 28
+   integer, parameter :: most_short = 36
 
-   !> How the column of g from a state is formed: from coordinates; from what changes v/sqrt(g l), which a fast motion
-   !> almost does itself; by heights, of a fast motion that is no circle.
-   integer, parameter :: gravity_by_coordinates = 0, gravity_by_speeds = 1, gravity_by_heights = 2
+   !> Columns at most that have a direction to themselves: l, g and two start values, or g of a state.
+   integer, parameter :: most_own = 4
 
    !> A series of [S5.1], or its change along a direction. Direct: `parts`, polynomials in u = cos 2v, whose sums times
    !> m1 or m2 (c and s, cosine and sine of v, for odd powers; 1 and 2 s c for even ones) make, of real coefficients: 1
@@ -33,8 +32,14 @@ module kyvadlo_derivative_constants
       type(series_type) :: p(0:4), f(0:4)                                  !! The motion; its changes
       real(real64) :: rate = 0, turn = 0                                   !! dv/dt, dpsi/dt [1/s]
       real(real64) :: rate_change(4) = 0, turn_change(4) = 0
-      !> Coordinates of the columns, in the units of these: constant, per second, per whole period.
-      real(real64) :: weights(4, 9, 0:2)
+      !> Coordinates of the columns of a state's six numbers, in the units of these: constant, per second, per whole
+      !> period.
+      real(real64) :: weights(4, 6, 0:2)
+      !> The directions that columns have to themselves, in the units of these, with the unit of time; what grows of
+      !> them along the motion and around the vertical, per second and per whole period.
+      type(series_type) :: own_p(most_own), own_f(most_own)
+      real(real64), dimension(most_own) :: own_rate = 0, own_turn = 0
+      real(real64), dimension(2, most_own) :: along = 0, around = 0
    end type passage_type
 
    !> What all passages share.
@@ -42,12 +47,12 @@ module kyvadlo_derivative_constants
       type(batch_type) :: b
       type(start_type) :: start
       integer :: columns = 0                    !! 9 from a state, else 5
-      logical :: wanted(9) = .true.             !! Columns; those of g and t are always there
+      logical :: wanted(9) = .false.            !! Columns; that of t is always there
+      integer :: own = 0, own_columns(most_own) = 0  !! Columns with directions to themselves
+      logical :: by_angle = .false.             !! They grow along p(2), f(2), not along the motion
       integer :: length_at = 0, gravity_at = 0  !! Columns of l and g
-      integer :: gravity_way = gravity_by_coordinates
       real(real64) :: length = 0, rate_square = 0, unit_time = 0, length_per_gravity = 0  !! l, g/l, sqrt(l/g), l/g
       !> Below it the column of g by powers of the time in sqrt(l/g)
       real(real64) :: short_time = 0, short_powers(3, 2:most_short)
-      real(real64) :: start_height = 0, height_weight = 0, scale2 = 1, speeds(4) = 0, speed_flow(2) = 0
    end type frame_type
 end module kyvadlo_derivative_constants

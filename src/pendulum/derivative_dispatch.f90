@@ -4,14 +4,12 @@ module kyvadlo_derivative_dispatch
    use kyvadlo_batch_constants, only: batch_type, start_type
    use kyvadlo_derivative_constants
    use kyvadlo_derivative_kernel_baseline, only: all_baseline => differentiate, &
-      gravity_baseline => differentiate_gravity, halves_baseline => count_halves
-   use kyvadlo_derivative_kernel_v3, only: all_v3 => differentiate, gravity_v3 => differentiate_gravity, &
-      halves_v3 => count_halves
-   use kyvadlo_derivative_kernel_v4, only: all_v4 => differentiate, gravity_v4 => differentiate_gravity, &
-      halves_v4 => count_halves
+      halves_baseline => count_halves
+   use kyvadlo_derivative_kernel_v3, only: all_v3 => differentiate, halves_v3 => count_halves
+   use kyvadlo_derivative_kernel_v4, only: all_v4 => differentiate, halves_v4 => count_halves
    implicit none
    private
-   public :: differentiate_at, differentiate_gravity_at, count_halves_at
+   public :: differentiate_at, count_halves_at
 
 contains
 
@@ -31,24 +29,6 @@ contains
          call all_baseline(frame, c, time, whole, states, results)
       end select
    end subroutine differentiate_at
-
-   pure subroutine differentiate_gravity_at(level, frame, c, g_p, g_f, g_rate, g_turn, time, whole, states, results)
-      integer, intent(in) :: level
-      type(frame_type), intent(in) :: frame
-      type(passage_type), intent(in) :: c
-      type(series_type), intent(in) :: g_p, g_f
-      real(real64), intent(in) :: g_rate, g_turn, time(lanes), whole(lanes)
-      real(real64), intent(out) :: states(lanes, 6), results(lanes, 6, 9)
-
-      select case (level)
-      case (2)
-         call gravity_v4(frame, c, g_p, g_f, g_rate, g_turn, time, whole, states, results)
-      case (1)
-         call gravity_v3(frame, c, g_p, g_f, g_rate, g_turn, time, whole, states, results)
-      case default
-         call gravity_baseline(frame, c, g_p, g_f, g_rate, g_turn, time, whole, states, results)
-      end select
-   end subroutine differentiate_gravity_at
 
    pure subroutine count_halves_at(level, b, start, n, time, halves)
       integer, intent(in) :: level, n

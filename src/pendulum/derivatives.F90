@@ -8,7 +8,8 @@ module kyvadlo_derivatives_real64
    use kyvadlo_derivative_dispatch
    use kyvadlo_gaps_real64, only: gaps_type
    use kyvadlo_orbit_real64, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, &
-      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_release, kernel_limit, kernel_start
+      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_energy_above_top, &
+      new_orbit_from_energy_above_bottom, new_orbit_from_release, kernel_limit, kernel_start
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count
@@ -26,7 +27,8 @@ module kyvadlo_derivatives_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, cp => real128
    use kyvadlo_gaps_real128, only: gaps_type
    use kyvadlo_orbit_real128, only: orbit_type, set_up, new_orbit_from_heights, new_orbit_from_gaps, &
-      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_release
+      new_orbit_from_rises, new_orbit_from_energy, new_orbit_from_energy_above_top, &
+      new_orbit_from_energy_above_bottom, new_orbit_from_release
    use kyvadlo_state_real128, only: new_orbit_from_state
    use kyvadlo_motion_kinds
    use kyvadlo_threads, only: thread_count

@@ -75,6 +75,8 @@ def start(regime, pick):
             v = [a*size for a in unit(v)]
         return v
 
+    if regime == 'long':
+        return start(pick.choice(['generic', 'conical', 'plane', 'small', 'energetic']), pick)
     x = unit(vector())
     v = tangent(vector(), x)
     across = (x[0]**2+x[1]**2)**0.5
@@ -107,9 +109,7 @@ def start(regime, pick):
             return [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
         x = unit([small*pick.uniform(-1, 1), small*pick.uniform(-1, 1), 1.0])
         return x, tangent([small*pick.uniform(-1, 1) for _ in range(3)], x)
-    if regime == 'energetic':
-        return x, tangent(v, x, pick.uniform(3, 10))
-    return x, [1.5*u for u in v]     # long
+    return x, tangent(v, x, pick.uniform(3, 10))     # energetic
 
 
 def state_rows(regime, bits):
@@ -155,9 +155,8 @@ def write_state(regime):
 
 
 # ------------------------------------------------------------------------------------------------- from turning heights
-# Next to rotation heights and gaps determine the motion by their last digits alone; the column of l, and from energies that of g,
-# is then a difference: not above this energy over g l.
-MOST_ENERGY = 3
+# Over g l. Above it gravity changes T, by 1/energy**2, in digits alone that two parts do not keep.
+MOST_ENERGY = mpf(10)**7
 SETS = {'heights': ['typical', 'near_conical', 'near_plane'],
         'gaps': ['typical', 'near_conical', 'near_plane', 'near_upright'],
         'rises': ['typical', 'near_conical', 'near_plane', 'small'],
@@ -188,6 +187,8 @@ def turning_rows(kind, name, bits, moves, periods):
         with mp.workdps(400):
             arguments = [mpf(u) for u in arguments]
             gaps = gaps_of(kind, arguments)
+            if 1+(gaps.e3-gaps.s)/gaps.l > MOST_ENERGY:
+                continue
             scales = [min(arguments[0], gaps.d2, gaps.h1, gaps.D)]*2
             if min(scales) <= 0 or (kind == 'gaps' and min(arguments[2:]) < mpf(10)**-100):
                 continue
@@ -209,9 +210,8 @@ def turning_rows(kind, name, bits, moves, periods):
                 found = exact.Orbit(gaps_of(kind, [l, g, a, b])).position(t)
                 return [-found[i] if b < 0 and kind == 'energy' and i in (1, 4) else found[i] for i in range(6)]
             columns = difference(state, arguments+[t], scales+[mp.sqrt(arguments[0]/arguments[1])])
-            if 1+(gaps.e3-gaps.s)/gaps.l <= MOST_ENERGY:
-                periods.append(of_period)
-                moves.append(row(name, arguments+[t], columns, bits))
+            periods.append(of_period)
+            moves.append(row(name, arguments+[t], columns, bits))
         wanted -= 1
 
 
