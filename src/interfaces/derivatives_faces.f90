@@ -9,7 +9,8 @@ module kyvadlo_derivatives_faces
    implicit none
    private
    public :: kyvadlo_derivatives_from_heights, kyvadlo_derivatives_from_gaps, kyvadlo_derivatives_from_rises, &
-      kyvadlo_derivatives_from_energy, kyvadlo_derivatives_from_release, kyvadlo_derivatives_from_state, kyvstm
+      kyvadlo_derivatives_from_energy, kyvadlo_derivatives_from_release, kyvadlo_derivatives_from_state, &
+      kyvadlo_turning_time_derivatives_from_state, kyvadlo_turning_time_derivatives_from_release, kyvstm
 
 contains
 
@@ -111,6 +112,38 @@ contains
    end function kyvadlo_derivatives_from_release
 
    !> CALL KYVSTM(EL, G, X, V, T, XT, VT, DM, IER): position XT(3) and velocity VT(3) at the time T after the start
+   !> The first time later than `time` at which the bob is at a turning height, and its derivatives.
+   function kyvadlo_turning_time_derivatives_from_state(length, gravity, position, velocity, time, turning, slopes, &
+      message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, time
+      real(c_double), intent(in) :: position(3), velocity(3)
+      integer(c_size_t), value :: capacity
+      real(c_double), intent(out) :: turning, slopes(8)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_state(derivatives, length, gravity, position, velocity, error)
+      call derivatives%of_turning_time(time, turning, slopes)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_turning_time_derivatives_from_state
+
+   function kyvadlo_turning_time_derivatives_from_release(length, gravity, angle, speed, time, turning, slopes, &
+      message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, angle, speed, time
+      integer(c_size_t), value :: capacity
+      real(c_double), intent(out) :: turning, slopes(4)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_release(derivatives, length, gravity, angle, speed, error)
+      call derivatives%of_turning_time(time, turning, slopes)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_turning_time_derivatives_from_release
+
    !> X(3), V(3), and the matrix DM(6,9) of their derivatives with respect to x, y, z, vx, vy, vz, l, g, t.
    subroutine kyvstm(length, gravity, position, velocity, time, position_then, velocity_then, matrix, ier) bind(c, &
       name='kyvstm_')
@@ -130,10 +163,11 @@ contains
    subroutine give_all(derivatives, times, states, matrices, periods)
       type(derivatives_type), intent(in) :: derivatives
       real(c_double), intent(in) :: times(:)
-      real(c_double), intent(out) :: states(:, :), matrices(:, :, :), periods(:, :)
-      integer, parameter :: most_times = 128
+      real(c_double), intent(out), contiguous :: states(:, :), matrices(:, :, :)
+      real(c_double), intent(out) :: periods(:, :)
+      integer, parameter :: most_times = 256   ! As the blocks of `evaluate`
       real(c_double) :: matrix(6, size(matrices, 1), most_times), position(3, most_times), velocity(3, most_times)
-      integer :: i, first, count
+      integer :: i, j, k, first, count
 
       do first = 1, size(times), most_times
          count = min(most_times, size(times) - first + 1)
@@ -142,7 +176,11 @@ contains
          do i = 1, count
             states(1:3, first + i - 1) = position(:, i)
             states(4:6, first + i - 1) = velocity(:, i)
-            matrices(:, :, first + i - 1) = transpose(matrix(:, :, i))
+            do j = 1, 6
+               do k = 1, size(matrices, 1)
+                  matrices(k, j, first + i - 1) = matrix(j, k, i)
+               end do
+            end do
          end do
       end do
       call derivatives%of_period(periods(:, 1), periods(:, 2))

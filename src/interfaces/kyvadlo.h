@@ -200,6 +200,12 @@ int kyvadlo_derivatives_from_energy(double length, double gravity, double energy
 int kyvadlo_derivatives_from_release(double length, double gravity, double angle, double speed,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
+/* The first time later than `time` at which the bob is at a turning height [s], and its derivatives along the same columns
+   but t; NaN for circles, rest and the separatrix. From the other starts it is a number of half periods. */
+int kyvadlo_turning_time_derivatives_from_state(double length, double gravity, const double position[3],
+   const double velocity[3], double time, double *turning, double slopes[8], char *message, size_t capacity);
+int kyvadlo_turning_time_derivatives_from_release(double length, double gravity, double angle, double speed, double time,
+   double *turning, double slopes[4], char *message, size_t capacity);
 
 /* Lets kyvadlo_locate_many compute the positions of an orbit in single precision or with fewer terms, whichever keeps
    the accuracy at the least cost: off by at most accuracy * l while |t| <= span [s], velocities by at most twice the

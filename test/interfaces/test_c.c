@@ -67,6 +67,16 @@ static void try_derivatives(void)
     && near(five[2], acos(-1.0)/90*cos(1.4), 1e-12) && near(periods[0], acos(-1.0)/8, 1e-9), "derivatives from a release");
   check(kyvadlo_derivatives_from_energy(2, 8, -15, 0.3, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
     && near(five[4], states[3], 1e-12) && !isnan(five[2]) && !isnan(five[3]), "derivatives from energy and momentum");
+  /* The lowest point, T/2 = pi sqrt(l/g)/2 after the release; no such times at rest. */
+  check(kyvadlo_turning_time_derivatives_from_release(2, 8, 1e-6, 0, 0.1, periods, five, message, sizeof message) == KYVADLO_OK
+    && near(periods[0], acos(-1.0)/4, 1e-12) && near(five[0], acos(-1.0)/16, 1e-9) && near(five[1], -acos(-1.0)/64, 1e-9),
+    "derivatives of a turning time from a release");
+  check(kyvadlo_turning_time_derivatives_from_state(2, 8, p, v, 0.1, periods, five, message, sizeof message) == KYVADLO_OK
+    && near(periods[0], acos(-1.0)/4, 1e-12) && near(five[6], acos(-1.0)/16, 1e-9) && near(five[7], -acos(-1.0)/64, 1e-9),
+    "derivatives of a turning time from a state");
+  p[0] = 0;
+  check(kyvadlo_turning_time_derivatives_from_state(2, 8, p, v, 0.1, periods, five, NULL, 0) == KYVADLO_OK
+    && isnan(periods[0]) && isnan(five[6]), "no turning times at rest");
 }
 
 /* Every function of arrays against the function of one value, bit for bit, NaN and infinity among the arguments. */
