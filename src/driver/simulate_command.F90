@@ -16,13 +16,13 @@ module kyvadlo_simulate_command
    use kyvadlo_simulation, only: read_simulation, simulation_type
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
-   use kyvadlo_scene_effects, only: get_table_path
+   use kyvadlo_scene_effects, only: get_table_paths
    use kyvadlo_settings_list, only: write_settings
    use kyvadlo_standard_io, only: become_program, close_output, discard_output, get_unfinished_name, is_on_terminal, &
       is_terminal, message, open_output, output_type
    use kyvadlo_summary, only: new_summary, summary_type, write_summary
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
-   use kyvadlo_text, only: counting_sink_type, shown
+   use kyvadlo_text, only: counting_sink_type, shown, text_type
    use kyvadlo_wide_samples, only: is_wide
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
    implicit none
@@ -137,10 +137,13 @@ contains
       type(simulation_type), intent(in) :: simulation
       type(run_files_type), intent(inout) :: files
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: table
+      type(text_type), allocatable :: tables(:)
+      integer :: i
 
-      call get_table_path(simulation, table)
-      if (allocated(table)) call add_input(files, 'the table of the scene', table)
+      call get_table_paths(simulation, tables)
+      do i = 1, size(tables)
+         call add_input(files, 'the table of the scene', tables(i)%text)
+      end do
       if (option_given(arguments, '--output')) then
          call add_output(files, 'option --output', option_value(arguments, '--output', ''))
       else

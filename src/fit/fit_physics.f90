@@ -68,12 +68,13 @@ contains
       if (given(wind_group)) effects%wind = number(:, setting_place(wind_group, 'velocity'))
       if (given(earth_rotation_group)) effects%turn_rate = earth_turn_rate(scalar(earth_rotation_group, 'latitude'), &
          scalar(earth_rotation_group, 'rate'))
-      if (given(moving_pivot_group)) then
+      if (given(moving_pivot_group) .and. .not. scalar(moving_pivot_group, 'circle_radius') > 0) then
          effects%pivot_amplitude = number(:, setting_place(moving_pivot_group, 'amplitude'))
          effects%pivot_frequency = number(:, setting_place(moving_pivot_group, 'frequency'))
          effects%pivot_phase = number(:, setting_place(moving_pivot_group, 'phase'))*degree
       end if
       if (given(elastic_group)) effects%stiffness = scalar(elastic_group, 'stiffness')/scalar(elastic_group, 'mass')
+      if (given(hoist_group)) effects%hoist_rate = scalar(hoist_group, 'rate')
       if (given(anisotropic_support_group)) effects%extra_length = &
          [scalar(anisotropic_support_group, 'extra_length_x'), scalar(anisotropic_support_group, 'extra_length_y')]
 
@@ -110,6 +111,7 @@ contains
          other%effects%wind = physics%effects%wind + step*change%effects%wind
          other%effects%turn_rate = physics%effects%turn_rate + step*change%effects%turn_rate
          other%effects%stiffness = physics%effects%stiffness + step*change%effects%stiffness
+         other%effects%hoist_rate = physics%effects%hoist_rate + step*change%effects%hoist_rate
          other%effects%density_ratio = physics%effects%density_ratio + step*change%effects%density_ratio
          other%effects%added_mass = physics%effects%added_mass + step*change%effects%added_mass
       end associate

@@ -80,6 +80,8 @@ contains
       call complete_groups(groups, request)
       call settings_from_groups(groups, file, request%settings, error)
       if (.not. allocated(error)) call pendulums_from_groups(groups, file, pendulums, error)
+      if (.not. allocated(error) .and. request%settings%given(body_group)) call fail(error, code_unsupported, &
+         place_of(file, request%settings%line(body_group))//'a fit does not take &body; free length instead')
       if (.not. allocated(error)) then
          if (size(pendulums) > 1) call fail(error, code_input, place_of(file, pendulums(2)%line)//'a second &pendulum')
       end if
@@ -427,14 +429,17 @@ contains
                   starts(request%pendulum%start)%second /= setting%name) call refuse(error, fit, fit%line, &
                   'free: '//trim(setting%name)//' is not the start of the scene')
             end if
+            if (.not. allocated(error) .and. setting%group == moving_pivot_group .and. all(setting%name /= &
+               ['amplitude', 'frequency', 'phase    '])) call refuse(error, fit, fit%line, &
+               'free: of &moving_pivot, amplitude, frequency and phase may be free')
             if (.not. allocated(error) .and. setting%group == air_group .and. all(setting%name /= ['linear   ', &
                'quadratic'])) &
                call refuse(error, fit, fit%line, 'free: of &air, linear and quadratic may be free')
             if (allocated(error)) return
          end associate
       end do
-      if (allocated(request%settings%table)) call fail(error, code_unsupported, request%file// &
-         ': a fit does not take a table of the pivot')
+      if (allocated(request%settings%table) .or. allocated(request%settings%hoist_table)) call fail(error, &
+         code_unsupported, request%file//': a fit does not take a table of the pivot or of the length')
       if (.not. allocated(error) .and. request%settings%effects%is_string .and. &
          request%settings%effects%restitution > nothing .and. request%settings%effects%stiffness > 0) &
          call fail(error, code_unsupported, request%file//': a fit does not take an elastic string')

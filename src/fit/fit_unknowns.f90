@@ -301,6 +301,7 @@ contains
                   change%effects%pivot_frequency = (up%effects%pivot_frequency - down%effects%pivot_frequency)*step
                   change%effects%pivot_phase = (up%effects%pivot_phase - down%effects%pivot_phase)*step
                   change%effects%stiffness = (up%effects%stiffness - down%effects%stiffness)*step
+                  change%effects%hoist_rate = (up%effects%hoist_rate - down%effects%hoist_rate)*step
                   change%effects%extra_length = (up%effects%extra_length - down%effects%extra_length)*step
                   change%effects%density_ratio = (up%effects%density_ratio - down%effects%density_ratio)*step
                   change%effects%added_mass = (up%effects%added_mass - down%effects%added_mass)*step

@@ -2,10 +2,11 @@
 !> derivatives of kyvadlo_forces, term by term, for the variational equations. doc/effects.md writes them down.
 module kyvadlo_force_changes
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_effects, only: effects_type
-   use kyvadlo_forces, only: forces_type
+   use kyvadlo_effects, only: effects_type, sphere_drag
+   use kyvadlo_forces, only: forces_type, lengthen
    use kyvadlo_pivot, only: pivot_change, pivot_jerk, pivot_motion
-   use kyvadlo_suspension, only: new_suspension_change, stretch, stretch_change, suspension_change_type
+   use kyvadlo_suspension, only: new_suspension_change, radius_change, stretch, stretch_change, &
+      suspension_change_type, suspension_type
    implicit none
    private
    public :: change_type, forces_change_type, new_forces_change, move_changes, tension_rate, energy_change, natural_size
@@ -31,6 +32,8 @@ module kyvadlo_force_changes
       logical :: is_taut = .true.
       real(wp) :: seen(3) = 0                !! Velocity in the laboratory [m/s]
       real(wp) :: through(3) = 0, speed = 0  !! Velocity through the air [m/s]
+      real(wp) :: drag = 0                   !! Force over mass and that speed [1/s]
+      real(wp) :: drag_changes(4) = 0        !! With the speed, linear_drag, quadratic_drag, sphere_speed
       real(wp) :: force(3) = 0               !! But of rod, string and pivot, over the mass of the bob [m/s2]
       real(wp) :: free(3) = 0                !! Acceleration but for rod or string [m/s2]
       real(wp) :: distance = 0, outward(3) = 0, pull = 0
@@ -48,8 +51,10 @@ contains
          forces_change%effects = new
          forces_change%weight = change%gravity*(1 - effects%density_ratio) - gravity*new%density_ratio
          forces_change%inertia = new%added_mass*effects%density_ratio + effects%added_mass*new%density_ratio
-         call new_suspension_change(forces_change%suspension, forces%suspension, change%length, new%extra_length)
-         forces_change%has_drag = abs(new%linear_drag) > 0 .or. abs(new%quadratic_drag) > 0
+         call new_suspension_change(forces_change%suspension, forces%suspension, change%length, new%extra_length, &
+            new%hoist_rate)
+         forces_change%has_drag = any(abs([new%linear_drag, new%quadratic_drag, &
+            new%sphere_speed]) > 0)
          forces_change%has_wind = forces%has_drag .and. any(abs(new%wind) > 0)
          forces_change%has_turn = any(abs(new%turn_rate) > 0)
          forces_change%has_pivot = any(abs([new%pivot_amplitude, new%pivot_frequency, new%pivot_phase]) > 0)
@@ -123,7 +128,13 @@ contains
       here%speed = norm2(here%through)
       associate (effects => forces%effects, force => here%force)
          force = [0.0_wp, 0.0_wp, -forces%weight]
-         if (forces%has_drag) force = force - (effects%linear_drag + effects%quadratic_drag*here%speed)*here%through
+         if (effects%sphere_speed > 0) then
+            call sphere_drag(effects, here%speed, here%drag, here%drag_changes)
+         else
+            here%drag = effects%linear_drag + effects%quadratic_drag*here%speed
+            here%drag_changes(:3) = [effects%quadratic_drag, 1.0_wp, here%speed]
+         end if
+         if (forces%has_drag) force = force - here%drag*here%through
          if (forces%has_turn) force = force - 2*cross(effects%turn_rate, here%seen)
          here%free = force/forces%inertia
          if (forces%has_moving_pivot) here%free = here%free - forces%pivot_acceleration
@@ -132,7 +143,7 @@ contains
          if (forces%is_elastic) then
             here%pull = effects%stiffness*(here%distance - forces%suspension%radius)/forces%inertia
          else
-            here%pull = dot_product(here%outward, here%free) + bending
+            here%pull = dot_product(here%outward, here%free) + bending - forces%suspension%radius_bend
          end if
       end associate
    end subroutine look
@@ -157,11 +168,11 @@ contains
             if (change%has_wind) through = through - new%wind
             drag = 0
             ! |u| u has no slope at u = 0, and the first term of it none either.
-            if (effects%quadratic_drag > 0 .and. here%speed > 0) drag = &
-               effects%quadratic_drag*dot_product(here%through, through)/here%speed
-            free = free - drag*here%through - (effects%linear_drag + effects%quadratic_drag*here%speed)*through
+            if (here%speed > 0) drag = here%drag_changes(1)*dot_product(here%through, through)/here%speed
+            free = free - drag*here%through - here%drag*through
          end if
-         if (change%has_drag) free = free - (new%linear_drag + new%quadratic_drag*here%speed)*here%through
+         if (change%has_drag) free = free - dot_product(here%drag_changes(2:), [new%linear_drag, new%quadratic_drag, &
+            new%sphere_speed])*here%through
          if (forces%has_turn) free = free - 2*cross(effects%turn_rate, seen)
          if (change%has_turn) free = free - 2*cross(new%turn_rate, here%seen)
          free = (free - here%force*(change%inertia/forces%inertia))/forces%inertia - pivot_acceleration
@@ -172,7 +183,7 @@ contains
             distance, outward, bending)
          if (forces%is_elastic) then
             tension = new%stiffness*(here%distance - forces%suspension%radius) + effects%stiffness*(distance &
-               - change%suspension%radius)
+               - radius_change(forces%suspension, change%suspension))
             pull = (tension - here%pull*change%inertia)/forces%inertia
          else
             pull = dot_product(outward, here%free) + dot_product(here%outward, free) + bending
@@ -190,6 +201,7 @@ contains
       real(wp), intent(in) :: position(3), velocity(3)    !! Relative to the pivot [m], [m/s]
       real(wp), intent(in) :: column(6)                   !! Their changes
       real(wp), dimension(3) :: displacement, seen, moved, seen_change, unused, outward
+      type(suspension_type) :: suspension
       real(wp) :: distance, bending, stretched
 
       call pivot_motion(forces%effects, time, displacement, seen)
@@ -199,13 +211,15 @@ contains
       energy = change%inertia*dot_product(seen, seen)/2 + forces%inertia*dot_product(seen, seen_change) &
          + change%weight*(position(3) + displacement(3)) + forces%weight*(column(3) + moved(3))
       if (.not. forces%is_elastic) return
-      call stretch(forces%suspension, position, velocity, distance, outward, bending)
-      if (forces%effects%is_string .and. distance < forces%suspension%radius) return
-      stretched = distance - forces%suspension%radius
-      call stretch_change(forces%suspension, change%suspension, position, velocity, column(1:3), column(4:6), &
+      suspension = forces%suspension
+      if (forces%has_hoist) call lengthen(suspension, forces%effects, time)
+      call stretch(suspension, position, velocity, distance, outward, bending)
+      if (forces%effects%is_string .and. distance < suspension%radius) return
+      stretched = distance - suspension%radius
+      call stretch_change(suspension, change%suspension, position, velocity, column(1:3), column(4:6), &
          distance, outward, bending)
       energy = energy + change%effects%stiffness*stretched**2/2 &
-         + forces%effects%stiffness*stretched*(distance - change%suspension%radius)
+         + forces%effects%stiffness*stretched*(distance - radius_change(suspension, change%suspension))
    end function energy_change
 
    !> How much a change changes a motion within the time sqrt(l/g), about, in units of length and speed: what its errors
@@ -226,8 +240,8 @@ contains
             time*norm2(new%turn_rate), maxval(abs(new%pivot_amplitude)*(turns**2 + turns))/length, &
             maxval(abs(old%pivot_amplitude*new%pivot_frequency)*time*(two_pi + turns))/length, &
             maxval(abs(old%pivot_amplitude*new%pivot_phase)*(turns**2 + turns))/length)
-         size = max(size, maxval(new%extra_length)/length, abs(new%restitution), abs(new%density_ratio), &
-            abs(new%added_mass)*old%density_ratio)
+         size = max(size, maxval(new%extra_length)/length, time*abs(new%hoist_rate)/length, abs(new%restitution), &
+            abs(new%density_ratio), abs(new%added_mass)*old%density_ratio)
          if (old%stiffness > 0) size = max(size, abs(new%stiffness)/old%stiffness)
       end associate
    end function natural_size

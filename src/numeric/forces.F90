@@ -9,13 +9,15 @@ module kyvadlo_forces
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite
    use kyvadlo_status, only: error_type, fail, code_domain
-   use kyvadlo_effects, only: effects_type, check_effects, has_drag, has_moving_pivot
+   use kyvadlo_curves, only: look_up
+   use kyvadlo_effects, only: effects_type, check_effects, has_drag, has_hoist, has_moving_pivot, largest_reynolds, &
+      sphere_drag
    use kyvadlo_buoyancy, only: effective_inertia, effective_weight
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_suspension, only: suspension_type, new_suspension, stretch
    implicit none
    private
-   public :: forces_type, new_forces, move, mechanical_energy
+   public :: forces_type, new_forces, lengthen, move, mechanical_energy
 
    !> Effects with what follows from them; the flags tell which terms are evaluated at all.
    type :: forces_type
@@ -24,7 +26,10 @@ module kyvadlo_forces
       real(wp) :: weight = 0      !! Gravity less buoyancy [m/s2]
       real(wp) :: inertia = 1     !! Mass moved over the mass of the bob
       logical :: has_drag = .false., has_turn = .false., has_moving_pivot = .false., is_elastic = .false.
+      logical :: has_hoist = .false.
       logical :: needs_pivot_velocity = .false.   !! For drag, Coriolis's acceleration or the work of the pivot
+      logical :: is_beyond = .false.  !! The drag of a sphere was asked for beyond its curve
+      real(wp) :: until = huge(1.0_wp)        !! Where the present pieces of tables end [s]
       real(wp) :: pivot_time = -huge(1.0_wp)  !! When the motion of the pivot was evaluated last [s], and what it was
       real(wp) :: pivot_velocity(3) = 0, pivot_acceleration(3) = 0
       logical :: has_more = .false.   !! Than weight and rod or string
@@ -56,19 +61,36 @@ contains
       forces%is_elastic = effects%stiffness > 0
       forces%needs_pivot_velocity = forces%has_moving_pivot
       forces%has_more = forces%has_drag .or. forces%has_turn .or. forces%has_moving_pivot .or. forces%inertia > 1
+      forces%has_hoist = has_hoist(effects)
       call new_suspension(forces%suspension, length, effects%extra_length)
+      if (forces%has_hoist) call lengthen(forces%suspension, effects, 0.0_wp)
    end subroutine new_forces
+
+   !> The surface as a winch makes it at a time.
+   pure subroutine lengthen(suspension, effects, time)
+      type(suspension_type), intent(inout) :: suspension
+      type(effects_type), intent(in) :: effects
+      real(wp), intent(in) :: time                 !! [s]
+      real(wp) :: longer(1, 0:2)
+
+      longer = 0
+      if (allocated(effects%hoist%times)) call look_up(effects%hoist, time, longer)
+      suspension%time = time
+      suspension%radius = suspension%first_radius + (longer(1, 0) + effects%hoist_rate*time)
+      suspension%radius_rate = longer(1, 1) + effects%hoist_rate
+      suspension%radius_bend = longer(1, 2)
+   end subroutine lengthen
 
    !> Everything that follows from a state. The innermost procedure of an integration: scalars, and every effect in its
    !> place.
    pure subroutine move(forces, is_taut, time, position, velocity, acceleration, tension, powers)
-      type(forces_type), intent(inout) :: forces   !! Only what it remembers of the pivot changes
+      type(forces_type), intent(inout) :: forces   !! Only what it remembers of pivot, length and air changes
       logical, intent(in) :: is_taut               !! The rod or string acts; where not, the bob flies
       real(wp), intent(in) :: time                 !! [s]
       real(wp), intent(in) :: position(3), velocity(3) !! Relative to the pivot [m], [m/s]
       real(wp), intent(out) :: acceleration(3)     !! Relative to the pivot [m/s2]
       real(wp), intent(out) :: tension             !! Of rod or string, per mass of the bob [m/s2]
-      real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory and of the pivot, likewise [m2/s3]
+      real(wp), intent(out) :: powers(2)           !! Of the drag in the laboratory, of pivot and winch [m2/s3]
       real(wp) :: distance, outward(3), bending
       real(wp) :: ax, ay, az, pull, square
 
@@ -78,6 +100,7 @@ contains
       powers(1) = 0
       powers(2) = 0
       if (forces%has_more) call add_forces(forces, time, velocity, ax, ay, az, powers(1))
+      if (forces%has_hoist) call lengthen(forces%suspension, forces%effects, time)
       if (.not. is_taut) then
          tension = 0
          acceleration = [ax, ay, az]
@@ -91,6 +114,8 @@ contains
                pull = tension/(forces%inertia*distance)
             else
                pull = (x*ax + y*ay + z*az + velocity(1)**2 + velocity(2)**2 + velocity(3)**2)/square
+               if (forces%has_hoist) pull = pull - (forces%suspension%radius_rate**2 &
+                  + forces%suspension%radius*forces%suspension%radius_bend)/square
                tension = pull*forces%inertia*forces%suspension%radius
             end if
             acceleration(1) = ax - pull*x
@@ -98,6 +123,7 @@ contains
             acceleration(3) = az - pull*z
             if (forces%needs_pivot_velocity) powers(2) = -pull*forces%inertia*dot_product(position, &
                forces%pivot_velocity)
+            if (forces%has_hoist) powers(2) = powers(2) - tension*forces%suspension%radius_rate
          end associate
       else
          acceleration = [ax, ay, az]
@@ -106,12 +132,13 @@ contains
             tension = forces%effects%stiffness*(distance - forces%suspension%radius)
             pull = tension/forces%inertia
          else
-            ! What keeps the distance constant.
-            pull = dot_product(outward, acceleration) + bending
+            ! What keeps the distance as it should be.
+            pull = dot_product(outward, acceleration) + bending - forces%suspension%radius_bend
             tension = pull*forces%inertia
          end if
          acceleration = acceleration - pull*outward
          if (forces%needs_pivot_velocity) powers(2) = -tension*dot_product(outward, forces%pivot_velocity)
+         if (forces%has_hoist) powers(2) = powers(2) - tension*forces%suspension%radius_rate
       end if
    end subroutine move
 
@@ -122,7 +149,7 @@ contains
       real(wp), intent(in) :: time, velocity(3)
       real(wp), intent(inout) :: ax, ay, az
       real(wp), intent(inout) :: power             !! Of the drag
-      real(wp) :: u, v, w, a, b, c, drag
+      real(wp) :: u, v, w, a, b, c, drag, speed
 
       ! In the laboratory.
       u = velocity(1)
@@ -133,7 +160,7 @@ contains
          if (abs(time - forces%pivot_time) > 0) then
             forces%pivot_time = time
             call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
-               forces%needs_pivot_velocity)
+               forces%needs_pivot_velocity, forces%until)
          end if
          if (forces%needs_pivot_velocity) then
             u = u + forces%pivot_velocity(1)
@@ -146,7 +173,13 @@ contains
          b = v - forces%effects%wind(2)
          c = w - forces%effects%wind(3)
          drag = forces%effects%linear_drag
-         if (forces%effects%quadratic_drag > 0) drag = drag + forces%effects%quadratic_drag*sqrt(a**2 + b**2 + c**2)
+         if (forces%effects%sphere_speed > 0) then
+            speed = sqrt(a**2 + b**2 + c**2)
+            forces%is_beyond = speed > largest_reynolds*forces%effects%sphere_speed
+            call sphere_drag(forces%effects, speed, drag)
+         else if (forces%effects%quadratic_drag > 0) then
+            drag = drag + forces%effects%quadratic_drag*sqrt(a**2 + b**2 + c**2)
+         end if
          ax = -drag*a
          ay = -drag*b
          c = -drag*c
@@ -174,8 +207,8 @@ contains
    end subroutine add_forces
 
    !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less
-   !> buoyancy; of the spring. It changes by the work of drag and pivot, and by what is lost where a string becomes taut
-   !> [m2/s2].
+   !> buoyancy; of the spring. It changes by the work of drag, pivot and winch, and by what is lost where a string
+   !> becomes taut [m2/s2].
    pure real(wp) function mechanical_energy(effects, length, gravity, time, position, velocity) result(energy)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity          !! [m], [m/s2]
@@ -190,6 +223,7 @@ contains
          in_laboratory)/2 + effective_weight(gravity, effects%density_ratio)*(position(3) + displacement(3))
       if (.not. effects%stiffness > 0) return
       call new_suspension(suspension, length, effects%extra_length)
+      if (has_hoist(effects)) call lengthen(suspension, effects, time)
       call stretch(suspension, position, velocity, distance, outward, bending)
       if (effects%is_string .and. distance < suspension%radius) return
       energy = energy + effects%stiffness*(distance - suspension%radius)**2/2

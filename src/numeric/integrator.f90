@@ -14,15 +14,15 @@ module kyvadlo_integrator
    use kyvadlo_numbers, only: is_finite, quiet_nan_real64
    use kyvadlo_status, only: error_type, fail, code_domain, code_unsupported
    use kyvadlo_effects, only: effects_type
-   use kyvadlo_forces, only: forces_type, move, new_forces
+   use kyvadlo_forces, only: forces_type, lengthen, move, new_forces
    use kyvadlo_force_changes, only: change_type
-   use kyvadlo_pivot, only: next_knot, pivot_speed
+   use kyvadlo_pivot, only: last_time, pivot_speed
    use kyvadlo_integrated_columns
    use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_suspension, only: put_on_surface
    use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, &
       defect_to_velocity, interpolate, nodes, prepare
-   use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns
+   use kyvadlo_stepper, only: stepper_type, free_stepper, hold_pieces, new_stepper, take_step, trial_step, unknowns
    use kyvadlo_string, only: event_slack, string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
    use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
@@ -57,9 +57,9 @@ module kyvadlo_integrator
       real(wp), private :: tolerance = 0, unit_length = 1, unit_speed = 1
       real(wp), private :: last_time = 0               !! Of the last sample [s]
       real(wp), private :: work_time = 0, work(2) = 0  !! Works known last within the present step
-      real(wp), private :: ends = huge(1.0_wp)         !! Of the table of the pivot [s]
+      real(wp), private :: ends = huge(1.0_wp)         !! Of the tables of pivot and winch, or of all length [s]
       logical, private :: has_contact = .false.        !! The last step ended where the string goes slack or taut
-      logical, private :: is_at_knot = .false.         !! ... or at a knot of the table
+      logical, private :: is_at_knot = .false.         !! ... or at a knot of a table
       integer, private :: between = unknown            !! How samples in the last step are found
       logical, private :: with_azimuth = .false.
       !> At both ends of the last step, turns counted; NaN while the bob has not left the axis [rad]
@@ -117,8 +117,8 @@ contains
       else if (allocated(effects%pivot_times)) then
          if (effects%pivot_times(1) > 0) &
             call fail(error, code_domain, 'integrate: the table of the pivot must begin at time 0 or before')
-         run%ends = effects%pivot_times(size(effects%pivot_times))
       end if
+      run%ends = last_time(effects, length)
       if (allocated(error)) return
       call begin_motion(forces, p, v, is_taut, slack, error, was_put)
       if (allocated(error)) error%message = 'integrate: '//error%message
@@ -266,7 +266,7 @@ contains
       else if (.not. (time >= run%last_time .and. is_finite(time))) then
          call fail(error, code_domain, 'integrate: the times must ascend from 0, got'//listed([run%last_time, time]))
       else if (time > run%ends) then
-         call fail(error, code_domain, 'integrate: the table of the pivot ends before the motion, at'// &
+         call fail(error, code_domain, 'integrate: a table of pivot or length, or the length, ends before, at'// &
             listed([run%ends]))
       end if
       if (allocated(error)) run%failure = failure_request
@@ -280,10 +280,10 @@ contains
       select case (run%failure)
       case (failure_short_step)
          call fail(error, code_unsupported, 'integrate: no step is short enough at the time'//listed([run%time])// &
-            '; a larger tolerance may help, or the motion is singular there')
+            trim(merge('; drag of a sphere ends at the Reynolds number 2e5            ', &
+            '; a larger tolerance may help, or the motion is singular there', run%stepper%problem%forces%is_beyond)))
       case (failure_events)
-         call fail(error, code_unsupported, 'integrate: the string went slack too often, by the time'// &
-            listed([run%time]))
+         call fail(error, code_unsupported, 'integrate: the string went slack too often, by'//listed([run%time]))
       case (failure_tangential)
          call fail(error, code_unsupported, 'integrate: the motion has no derivatives after the time'// &
             listed([run%time])//', where the string goes slack or taut tangentially')
@@ -324,13 +324,13 @@ contains
             if (run%contact%is_tangential) run%failure = failure_tangential
             if (run%failure > 0) return
          end if
+         call hold_pieces(stepper, knot)
          if (run%has_contact .or. run%is_at_knot) then
-            ! At a knot the third derivative jumps.
+            ! At a knot a derivative of the motion jumps.
             call forget_steps(run)
             call note_step(run)
             run%has_contact = .false.
          end if
-         knot = next_knot(stepper%problem%forces%effects, stepper%time)
          limit = merge(min(knot, target), knot, target + gap > stepper%time + stepper%next)
          ! Where samples are far apart no polynomial is wanted.
          is_far = gap > 2*stepper%next
@@ -397,6 +397,7 @@ contains
             if (run%between == unknown) call choose_between(run)
             if (run%between == by_polynomial) then
                call interpolate(run%interpolant, time, y(1:3), y(4:6))
+               if (problem%forces%has_hoist) call lengthen(problem%forces%suspension, problem%forces%effects, time)
                if (problem%is_taut .and. .not. problem%forces%is_elastic) &
                   call put_on_surface(problem%forces%suspension, y(1:3), y(4:6))
                if (problem%unknowns > 6) call add_work(run, time)
@@ -421,8 +422,7 @@ contains
       end associate
    end subroutine sample
 
-   !> Whether the polynomial serves the last step: whether it satisfies the equations of motion where it should be
-   !> worst.
+   !> Whether the polynomial serves the last step: it satisfies the equations of motion where it should be worst.
    subroutine choose_between(run)
       type(integration_type), intent(inout) :: run
       real(wp) :: y(6), bend(3), acceleration(3), tension, powers(2), time, defect, allowed

@@ -1,10 +1,11 @@
 !> The motion of the pivot: harmonic along each axis, a table along a cubic spline, or both, added.
 module kyvadlo_pivot
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_curves, only: look_up, next_joint
    use kyvadlo_effects, only: effects_type
    implicit none
    private
-   public :: pivot_motion, pivot_rates, pivot_jerk, pivot_change, pivot_speed, next_knot
+   public :: pivot_motion, pivot_rates, pivot_jerk, pivot_change, pivot_speed, next_knot, last_time
 
 contains
 
@@ -16,12 +17,16 @@ contains
       real(wp), intent(out) :: displacement(3), velocity(3) !! [m], [m/s]
       real(wp), intent(out), optional :: acceleration(3)    !! [m/s2]
       real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
-      real(wp) :: step, a, b, bend(3)
+      real(wp) :: step, a, b, bend(3), place(3, 0:0)
       integer :: k
 
-      call pivot_rates(effects, time, bend, velocity, .true.)
+      call pivot_rates(effects, time, bend, velocity, .true., huge(time))
       if (present(acceleration)) acceleration = bend
       displacement = effects%pivot_amplitude*cos(two_pi*effects%pivot_frequency*time + effects%pivot_phase)
+      if (allocated(effects%pivot_curve%times)) then
+         call look_up(effects%pivot_curve, time, place)
+         displacement = displacement + place(:, 0)
+      end if
       if (.not. allocated(effects%pivot_times)) return
       k = interval(effects%pivot_times, time)
       associate (t => effects%pivot_times, p => effects%pivot_displacements, c => effects%pivot_curvatures)
@@ -39,13 +44,17 @@ contains
    pure function pivot_jerk(effects, time) result(jerk)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: time                          !! [s]
-      real(wp) :: jerk(3)
+      real(wp) :: jerk(3), rates(3, 0:3)
       real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
       integer :: k
 
       associate (rate => two_pi*effects%pivot_frequency)
          jerk = effects%pivot_amplitude*rate**3*sin(rate*time + effects%pivot_phase)
       end associate
+      if (allocated(effects%pivot_curve%times)) then
+         call look_up(effects%pivot_curve, time, rates)
+         jerk = jerk + rates(:, 3)
+      end if
       if (.not. allocated(effects%pivot_times)) return
       k = interval(effects%pivot_times, time)
       associate (t => effects%pivot_times, c => effects%pivot_curvatures)
@@ -81,21 +90,34 @@ contains
       end do
    end subroutine pivot_change
 
-   !> The knot of the table that comes next, where the third derivative jumps; huge without a table or after it [s].
+   !> The knot that comes next of the tables of pivot and winch, where a derivative jumps; huge if there is none [s].
    pure real(wp) function next_knot(effects, time)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: time
 
-      next_knot = huge(next_knot)
+      next_knot = min(next_joint(effects%hoist, time), next_joint(effects%pivot_curve, time))
       if (.not. allocated(effects%pivot_times)) return
       associate (t => effects%pivot_times)
          if (time < t(1)) then
-            next_knot = t(1)
+            next_knot = min(next_knot, t(1))
          else if (time < t(size(t))) then
-            next_knot = t(interval(t, time) + 1)
+            next_knot = min(next_knot, t(interval(t, time) + 1))
          end if
       end associate
    end function next_knot
+
+   !> The end of the tables of pivot and winch, or of all length; huge if there is none [s].
+   pure real(wp) function last_time(effects, length)
+      type(effects_type), intent(in) :: effects
+      real(wp), intent(in) :: length                        !! At time 0 [m]
+
+      last_time = huge(last_time)
+      if (allocated(effects%pivot_times)) last_time = effects%pivot_times(size(effects%pivot_times))
+      if (allocated(effects%pivot_curve%times)) last_time = min(last_time, &
+         effects%pivot_curve%times(size(effects%pivot_curve%times)))
+      if (allocated(effects%hoist%times)) last_time = min(last_time, effects%hoist%times(size(effects%hoist%times)))
+      if (effects%hoist_rate < 0) last_time = min(last_time, length/abs(effects%hoist_rate))
+   end function last_time
 
    !> Scale of the speed of the pivot.
    pure real(wp) function pivot_speed(effects)
@@ -104,6 +126,11 @@ contains
       integer :: k
 
       pivot_speed = norm2(two_pi*effects%pivot_frequency*effects%pivot_amplitude)
+      if (allocated(effects%pivot_curve%times)) then
+         do k = 1, size(effects%pivot_curve%terms, 3)
+            pivot_speed = max(pivot_speed, norm2(effects%pivot_curve%terms(:, 1, k)))
+         end do
+      end if
       if (.not. allocated(effects%pivot_times)) return
       associate (t => effects%pivot_times, p => effects%pivot_displacements)
          do k = 2, size(t)

@@ -3,15 +3,17 @@ module kyvadlo_step_forecast
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: infinity_real64, product_or_infinity
    use kyvadlo_buoyancy, only: effective_gravity, effective_inertia
-   use kyvadlo_effects, only: effects_type, has_drag
+   use kyvadlo_curves, only: least_value
+   use kyvadlo_effects, only: effects_type, has_drag, has_hoist
    implicit none
    private
    public :: forecast_steps
-   public :: cause_gravity, cause_start, cause_drag, cause_wind, cause_turning, cause_pivot, cause_stiffness
+   public :: cause_gravity, cause_start, cause_drag, cause_wind, cause_turning, cause_pivot, cause_stiffness, &
+      cause_hoist
 
    !> What asks for the most steps.
    integer, parameter :: cause_gravity = 1, cause_start = 2, cause_drag = 3, cause_wind = 4, cause_turning = 5, &
-      cause_pivot = 6, cause_stiffness = 7
+      cause_pivot = 6, cause_stiffness = 7, cause_hoist = 8
    !> Steps to the radian at a tolerance of 1e-12: 5 to 8 were counted. A step of order 8 grows with the ninth root of
    !> the tolerance. Where the drag is stiff, a step is what stays stable, whatever the tolerance: 0.25 were counted in
    !> its time.
@@ -28,7 +30,7 @@ contains
       real(wp), intent(in) :: tolerance                !! Of the error of a step
       real(wp), intent(out) :: steps
       integer, intent(out) :: cause                    !! One of the `cause_*` constants
-      real(wp) :: rates(cause_stiffness), through, decay, inertia, fall
+      real(wp) :: rates(cause_hoist), through, decay, inertia, fall, shortest
 
       inertia = effective_inertia(effects%density_ratio, effects%added_mass)
       fall = effective_gravity(gravity, effects%density_ratio, effects%added_mass)
@@ -42,6 +44,12 @@ contains
             maxval(product_or_infinity(turning, sqrt(abs(amplitude)/length))))
       end associate
       rates(cause_stiffness) = sqrt(effects%stiffness/inertia)
+      if (has_hoist(effects)) then
+         shortest = length + min(0.0_wp, effects%hoist_rate*duration)
+         if (allocated(effects%hoist%times)) shortest = shortest + least_value(effects%hoist, 1, 0.0_wp, duration)
+         ! The momentum stays as the length shrinks.
+         if (shortest < length) rates(cause_hoist) = max(sqrt(fall/shortest), speed*length/shortest**2)
+      end if
       if (has_drag(effects)) then
          through = norm2(effects%wind)
          decay = (effects%linear_drag + product_or_infinity(effects%quadratic_drag, through))/inertia
@@ -57,6 +65,8 @@ contains
       cause = maxloc(rates, 1)
       steps = product_or_infinity(duration, product_or_infinity(rates(cause), steps_per_radian))
       if (allocated(effects%pivot_times)) steps = steps + size(effects%pivot_times)
+      if (allocated(effects%pivot_curve%times)) steps = steps + size(effects%pivot_curve%times)
+      if (allocated(effects%hoist%times)) steps = steps + size(effects%hoist%times)
       steps = max(steps, 1.0_wp)
       if (.not. steps <= huge(steps)) steps = infinity_real64
    end subroutine forecast_steps

@@ -13,6 +13,7 @@ module kyvadlo_stepper
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_force_changes, only: forces_change_type, move_changes
    use kyvadlo_forces, only: forces_type, move
+   use kyvadlo_pivot, only: next_knot
    use kyvadlo_suspension, only: put_on_surface, surface_change
    use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
       fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, &
@@ -20,7 +21,7 @@ module kyvadlo_stepper
    implicit none
    private
    public :: stepper_type, problem_type, new_stepper, add_columns, free_stepper, take_step, trial_step, &
-      trial_with_columns, restart, unknowns
+      trial_with_columns, restart, hold_pieces, unknowns
 
    !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
    integer, parameter :: unknowns = 8
@@ -90,7 +91,7 @@ contains
             problem%unknowns = problem%unknowns + 1
             problem%drag_work = problem%unknowns
          end if
-         if (with_work .and. forces%has_moving_pivot) then
+         if (with_work .and. (forces%has_moving_pivot .or. forces%has_hoist)) then
             problem%unknowns = problem%unknowns + 1
             problem%pivot_work = problem%unknowns
          end if
@@ -123,6 +124,8 @@ contains
       n = stepper%problem%unknowns
       p = size(changes)
       stepper%problem%changes = changes
+      ! The surface counts the time of a length that may begin to grow.
+      if (any(abs(changes%suspension%growth) > 0)) stepper%problem%forces%has_hoist = .true.
       stepper%problem%forces%needs_pivot_velocity = stepper%problem%forces%has_moving_pivot
       stepper%columns = columns
       stepper%sizes = sizes
@@ -174,6 +177,20 @@ contains
       stepper%start_rates = stepper%rates
       stepper%start_tension = stepper%tension
    end subroutine restart
+
+   !> The pieces of tables hold from now to the next knot, whatever begins there. Now the acceleration may have jumped.
+   subroutine hold_pieces(stepper, knot)
+      type(stepper_type), intent(inout) :: stepper
+      real(wp), intent(out) :: knot             !! The next one; huge if there is none [s]
+
+      associate (forces => stepper%problem%forces)
+         knot = next_knot(forces%effects, stepper%time)
+         if (.not. abs(forces%until - knot) > 0) return
+         forces%until = knot
+         forces%pivot_time = -huge(knot)
+         if (stepper%time > 0 .and. allocated(forces%effects%pivot_curve%times)) call restart(stepper)
+      end associate
+   end subroutine hold_pieces
 
    !> One step, not beyond `limit`. Fails where the steps become too short.
    subroutine take_step(stepper, limit, failed)
@@ -424,7 +441,7 @@ contains
       call c_f_pointer(dydt, du)
       call find_rates(problem, t, u%number, du%number)
       problem%evaluations = problem%evaluations + 1
-      status = 0
+      status = merge(1, 0, problem%forces%is_beyond)
    end function right_side
 
    !> The same with columns behind the state.
@@ -451,7 +468,7 @@ contains
       du(:n) = state_rates(:n)
       call find_column_rates(problem, t, state, columns, rates)
       problem%evaluations = problem%evaluations + 1
-      status = 0
+      status = merge(1, 0, problem%forces%is_beyond)
    end function right_side_with_columns
 
 end module kyvadlo_stepper

@@ -334,7 +334,8 @@ contains
             event%energy_lost = problem%forces%inertia*(1 - back)*(1 + back)*radial**2/2
             if (problem%pivot_work > 0) then
                ! The pull of the string in no time, on a pivot that moves.
-               call pivot_rates(problem%forces%effects, stepper%time, pivot_acceleration, pivot_velocity, .true.)
+               call pivot_rates(problem%forces%effects, stepper%time, pivot_acceleration, pivot_velocity, .true., &
+                  problem%forces%until)
                stepper%y(problem%pivot_work) = stepper%y(problem%pivot_work) &
                   - problem%forces%inertia*(1 + back)*radial*dot_product(outward, pivot_velocity)
             end if

@@ -11,11 +11,13 @@ module kyvadlo_suspension
    implicit none
    private
    public :: suspension_type, new_suspension, stretch, put_on_surface, surface_excess
-   public :: suspension_change_type, new_suspension_change, stretch_change, surface_change
+   public :: suspension_change_type, new_suspension_change, stretch_change, surface_change, radius_change
 
    type :: suspension_type
       logical :: is_sphere = .true.
       real(wp) :: radius = 0          !! Distance of the bob from the lower hinge at rest length [m]
+      real(wp) :: first_radius = 0    !! At time 0; where a winch changes it: `radius` is that at `time`, with its rates
+      real(wp) :: time = 0, radius_rate = 0, radius_bend = 0  !! [s], [m/s], [m/s2]
       integer :: long = 1, short = 2  !! Axes of the longer and of the shorter pendulum
       real(wp) :: upper = 0           !! Height of the upper hinge [m]
       real(wp) :: apart = 0           !! Distance of the hinges [m]
@@ -23,9 +25,9 @@ module kyvadlo_suspension
 
    !> How a surface changes with a parameter. Of hinges at one height the one that rises is the upper one.
    type :: suspension_change_type
-      logical :: is_none = .true.     !! It stays as it is
       logical :: is_sphere = .true.   !! A sphere remains one
       real(wp) :: radius = 0, upper = 0, apart = 0
+      real(wp) :: growth = 0          !! Of the rate of the radius
       integer :: long = 1, short = 2
    end type suspension_change_type
 
@@ -42,6 +44,7 @@ contains
          suspension%short = 1
       end if
       suspension%radius = length + extra_length(suspension%short)
+      suspension%first_radius = suspension%radius
       suspension%upper = extra_length(suspension%long)
       suspension%apart = extra_length(suspension%long) - extra_length(suspension%short)
    end subroutine new_suspension
@@ -83,7 +86,8 @@ contains
       end associate
    end subroutine stretch
 
-   !> The nearest point of the surface, and of the velocities tangential to it there.
+   !> The nearest point of the surface, and of the velocities along it there: tangential, and with the surface where it
+   !> grows.
    pure subroutine put_on_surface(suspension, position, velocity)
       type(suspension_type), intent(in) :: suspension
       real(wp), intent(inout) :: position(3), velocity(3)
@@ -94,7 +98,7 @@ contains
          outward(1) = position(1)*scale
          outward(2) = position(2)*scale
          outward(3) = position(3)*scale
-         rho = outward(1)*velocity(1) + outward(2)*velocity(2) + outward(3)*velocity(3)
+         rho = outward(1)*velocity(1) + outward(2)*velocity(2) + outward(3)*velocity(3) - suspension%radius_rate
          velocity(1) = velocity(1) - rho*outward(1)
          velocity(2) = velocity(2) - rho*outward(2)
          velocity(3) = velocity(3) - rho*outward(3)
@@ -102,7 +106,7 @@ contains
          return
       end if
       call stretch(suspension, position, velocity, distance, outward, bending)
-      velocity = velocity - dot_product(outward, velocity)*outward
+      velocity = velocity - (dot_product(outward, velocity) - suspension%radius_rate)*outward
       associate (long => suspension%long, short => suspension%short)
          rho = sqrt(position(long)**2 + (position(3) - suspension%upper)**2)
          scale = suspension%radius/distance
@@ -136,13 +140,14 @@ contains
    end function surface_excess
 
    !> The change of a surface with its length and extra lengths.
-   pure subroutine new_suspension_change(change, suspension, length, extra_length)
+   pure subroutine new_suspension_change(change, suspension, length, extra_length, growth)
       type(suspension_change_type), intent(out) :: change
       type(suspension_type), intent(in) :: suspension
       real(wp), intent(in) :: length           !! Change of the length
       real(wp), intent(in) :: extra_length(2)  !! Changes of the extra lengths
+      real(wp), intent(in), optional :: growth !! Change of the rate of the length
 
-      change%is_none = .not. (abs(length) > 0 .or. any(abs(extra_length) > 0))
+      if (present(growth)) change%growth = growth
       change%is_sphere = suspension%is_sphere .and. .not. any(abs(extra_length) > 0)
       change%long = suspension%long
       change%short = suspension%short
@@ -154,6 +159,14 @@ contains
       change%upper = extra_length(change%long)
       change%apart = extra_length(change%long) - extra_length(change%short)
    end subroutine new_suspension_change
+
+   !> What the radius at the time of a suspension changes [m].
+   pure real(wp) function radius_change(suspension, change)
+      type(suspension_type), intent(in) :: suspension
+      type(suspension_change_type), intent(in) :: change
+
+      radius_change = change%radius + change%growth*suspension%time
+   end function radius_change
 
    !> The changes of what `stretch` gives, with those of position, velocity and surface.
    pure subroutine stretch_change(suspension, change, position, velocity, moved, turned, distance, outward, bending)
@@ -206,17 +219,18 @@ contains
       real(wp), intent(in) :: position(3), velocity(3)     !! Before it
       real(wp), intent(inout) :: moved(3), turned(3)
       real(wp) :: distance, outward(3), bending, distance_change, outward_change(3), bending_change
-      real(wp) :: arm(2), e_change(2), rho, rho_change, q, q_change, radial
+      real(wp) :: arm(2), e_change(2), rho, rho_change, q, q_change, radial, wider
 
       call stretch(suspension, position, velocity, distance, outward, bending)
       call stretch_change(suspension, change, position, velocity, moved, turned, distance_change, outward_change, &
          bending_change)
-      radial = dot_product(outward, velocity)
-      turned = turned - (dot_product(outward_change, velocity) + dot_product(outward, turned))*outward &
+      wider = radius_change(suspension, change)
+      radial = dot_product(outward, velocity) - suspension%radius_rate
+      turned = turned - (dot_product(outward_change, velocity) + dot_product(outward, turned) - change%growth)*outward &
          - radial*outward_change
       associate (r => suspension%radius)
          if (change%is_sphere) then
-            moved = change%radius*outward + r*outward_change
+            moved = wider*outward + r*outward_change
             return
          end if
          associate (long => change%long, short => change%short)
@@ -227,12 +241,12 @@ contains
             rho_change = dot_product(arm, e_change)
             e_change = (e_change - rho_change*arm)/rho
             q = r*(rho - suspension%apart)/distance
-            q_change = (change%radius*(rho - suspension%apart) + r*(rho_change - change%apart) &
+            q_change = (wider*(rho - suspension%apart) + r*(rho_change - change%apart) &
                - q*distance_change)/distance
             arm = (q_change + change%apart)*arm + (q + suspension%apart)*e_change
             moved(long) = arm(1)
             moved(3) = change%upper + arm(2)
-            moved(short) = change%radius*outward(short) + r*outward_change(short)
+            moved(short) = wider*outward(short) + r*outward_change(short)
          end associate
       end associate
    end subroutine surface_change

@@ -76,6 +76,7 @@ contains
                path%gravity)
             derivatives%start(:, j) = [derivatives%changes(j)%change%position, derivatives%changes(j)%change%velocity]
          end do
+         if (any(abs(derivatives%forces_changes%suspension%growth) > 0)) derivatives%forces%has_hoist = .true.
       end associate
       if (simulation%settings%given(string_group) .and. path%path == path_closed_form) &
          call look_for_touch(path%orbit, 0.0_wp, path%duration, error)
@@ -327,6 +328,8 @@ contains
          sample%tensions = 0
          ! In flight there is none.
          if (path%effects%is_string .and. .not. block%values(i, column(quantity_tension)) > 0) return
+         ! Where the acceleration of the pivot jumps, that before it, as the samples.
+         derivatives%forces%until = sample%time
          call move(derivatives%forces, .true., sample%time, sample%position, sample%velocity, acceleration, tension, &
             powers)
          call move_changes(derivatives%forces, derivatives%forces_changes, .true., sample%time, sample%position, &

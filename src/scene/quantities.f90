@@ -5,7 +5,7 @@ module kyvadlo_quantities
    public :: quantity_type, quantities, default_quantities, has_derivatives
    public :: quantity_position, quantity_velocity, quantity_speed, quantity_energy, quantity_momentum, &
       quantity_tension, quantity_azimuth, quantity_inclination, quantity_drag_work, quantity_pivot_work, &
-      quantity_derivatives, quantity_major, quantity_minor, quantity_plane, quantity_handedness
+      quantity_derivatives, quantity_major, quantity_minor, quantity_plane, quantity_handedness, quantity_pivot_force
 
    !> A word of `quantities`, and the columns it stands for.
    type :: quantity_type
@@ -20,9 +20,9 @@ module kyvadlo_quantities
    integer, parameter :: quantity_position = 1, quantity_velocity = 2, quantity_speed = 3, quantity_energy = 4, &
       quantity_momentum = 5, quantity_tension = 6, quantity_azimuth = 7, quantity_inclination = 8, &
       quantity_drag_work = 9, quantity_pivot_work = 10, quantity_derivatives = 11, quantity_major = 12, &
-      quantity_minor = 13, quantity_plane = 14, quantity_handedness = 15
+      quantity_minor = 13, quantity_plane = 14, quantity_handedness = 15, quantity_pivot_force = 16
 
-   type(quantity_type), parameter :: quantities(15) = [ &
+   type(quantity_type), parameter :: quantities(16) = [ &
       quantity_type('position', 3, [character(len=11) :: 'x', 'y', 'z'], 'm', 'position of the bob, z upwards'), &
       quantity_type('velocity', 3, [character(len=11) :: 'vx', 'vy', 'vz'], 'm s-1', 'velocity of the bob'), &
       quantity_type('speed', 1, [character(len=11) :: 'speed', '', ''], 'm s-1', 'magnitude of the velocity'), &
@@ -49,7 +49,9 @@ module kyvadlo_quantities
       quantity_type('plane', 1, [character(len=11) :: 'plane', '', ''], 'rad', &
          'azimuth of the swing''s plane: of the nearest highest point'), &
       quantity_type('handedness', 1, [character(len=11) :: 'handedness', '', ''], '1', &
-         'of the ellipse: 1 anticlockwise from above, -1, 0 in a plane')]
+         'of the ellipse: 1 anticlockwise from above, -1, 0 in a plane'), &
+      quantity_type('pivot_force', 3, [character(len=11) :: 'force_x', 'force_y', 'force_z'], 'N', &
+         'force of the pivot on the body')]
 
    !> What `derivatives` differentiates (kyvadlo_derivative_samples).
    integer, parameter :: has_derivatives(*) = [quantity_position, quantity_velocity, quantity_speed, quantity_energy, &

@@ -6,7 +6,7 @@ module kyvadlo_sample_block
    use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_samples, only: column_type
-   use kyvadlo_scene_groups, only: moving_pivot_group, settings, turning_frame_group
+   use kyvadlo_scene_groups, only: body_group, moving_pivot_group, setting_place, settings, turning_frame_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_swing_ellipse, only: apsides_type, ellipse_type, next_ellipse
    use kyvadlo_turned_azimuth, only: is_upright
@@ -14,7 +14,7 @@ module kyvadlo_sample_block
    implicit none
    private
    public :: block_type, block_samples, columns_of, in_laboratory, new_block, fill_ellipse, fill_inclination, &
-      fill_speed, move_with_pivot, shows_ellipse, turn_azimuth, turn_frame
+      fill_newtons, fill_speed, move_with_pivot, shows_ellipse, turn_azimuth, turn_frame
 
    !> Samples of a block: small enough for the nearer caches, large enough for the threads of `locate`.
    integer, parameter :: block_samples = 8192
@@ -48,6 +48,8 @@ contains
                do j = 1, quantity%columns
                   count = count + 1
                   columns(count) = column_type(quantity%column_names(j), quantity%unit, quantity%meaning)
+                  if (chosen(i) == quantity_tension .and. simulation%settings%number(1, setting_place(body_group, &
+                     'mass')) > 0) columns(count) = column_type('tension', 'N', 'force of the rod or string')
                end do
             end associate
             if (chosen(i) /= quantity_derivatives) cycle
@@ -99,10 +101,12 @@ contains
          call add(simulation%settings%events(i)%quantity)
       end do
       if (block%column(quantity_derivatives) > 0) call add(quantity_velocity)
+      if (block%column(quantity_pivot_force) > 0) call add(quantity_tension)
       if (block%column(quantity_speed) > 0 .or. shows_ellipse(block)) call add(quantity_velocity)
       if (.not. is_one_orbit .and. &
          any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
       if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0 .or. &
+         block%column(quantity_pivot_force) > 0 .or. &
          block%column(quantity_azimuth) > 0 .and. &
          simulation%settings%given(turning_frame_group)) call add(quantity_position)
       allocate (block%values(block_samples, count))
@@ -135,6 +139,30 @@ contains
             -values(:n, p + 2))
       end associate
    end subroutine fill_inclination
+
+   !> Forces in newtons from the tension over mass T of the mass point that moves as the body does: its acceleration a,
+   !> in the laboratory, makes d/l a of the centre of mass, and the pivot gives what weight does not. Positions are
+   !> relative to the pivot and in the resting frame still.
+   pure subroutine fill_newtons(mass, part, gravity, effects, block)
+      real(wp), intent(in) :: mass                            !! [kg]
+      real(wp), intent(in) :: part                            !! d/l: of the centre of mass, over the length
+      real(wp), intent(in) :: gravity                         !! [m/s2]
+      type(effects_type), intent(in) :: effects
+      type(block_type), intent(inout) :: block
+      real(wp) :: displacement(3), velocity(3), bend(3)
+      integer :: i
+
+      associate (values => block%values, p => block%column(quantity_position), tension => block%column( &
+         quantity_tension), force => block%column(quantity_pivot_force))
+         do i = 1, merge(block%count, 0, force > 0)
+            call pivot_motion(effects, values(i, 1), displacement, velocity, bend)
+            bend(3) = bend(3) + gravity
+            values(i, force:force + 2) = mass*((1 - part)*bend - part*values(i, tension)*(values(i, p:p + 2)/ &
+               norm2(values(i, p:p + 2))))
+         end do
+         if (tension > 0) values(:block%count, tension) = mass*values(:block%count, tension)
+      end associate
+   end subroutine fill_newtons
 
    pure logical function shows_ellipse(block)
       type(block_type), intent(in) :: block

@@ -1,6 +1,6 @@
 !> The settings by which a scene is differentiated: the words of `derivatives` in &output.
 module kyvadlo_scene_derivatives
-   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene, only: body_inertia, pendulum_type
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: derivative_type, settings_type
    use kyvadlo_status, only: code_input, error_type, fail
@@ -31,8 +31,8 @@ contains
       do i = 1, len(text)
          if (text(i:i) == ',') text(i:i) = ' '
       end do
-      if (text == '') text = 'length gravity '//trim(starts(pendulum%start)%first)//' '//trim(starts( &
-         pendulum%start)%second)
+      if (text == '') text = trim(merge('inertia', 'length ', is_body(pendulum)))//' gravity '// &
+         trim(starts(pendulum%start)%first)//' '//trim(starts(pendulum%start)%second)
       call split_words(text, first, last, count)
       do i = 1, count
          call add_word(text(first(i):last(i)), settings_of_scene, pendulum, list, error)
@@ -117,16 +117,29 @@ contains
             all(group /= [output_group, event_group])
          if (group == pendulum_group) then
             holds = holds .and. any(name == [character(len=19) :: 'length', 'gravity', starts(pendulum%start)%first, &
-               starts(pendulum%start)%second])
+               starts(pendulum%start)%second]) .and. .not. (is_body(pendulum) .and. name == 'length')
             return
          end if
          holds = holds .and. chosen%given(group)
          if (group == air_group) holds = holds .and. (any(name == [character(len=19) :: 'linear', 'quadratic']) &
             .neqv. chosen%number(1, setting_place(air_group, 'diameter')) > 0)
-         if (group == moving_pivot_group) holds = holds .and. .not. allocated(chosen%table)
+         if (group == moving_pivot_group) holds = holds .and. .not. allocated(chosen%table) .and. &
+            .not. allocated(chosen%effects%pivot_curve%times) .and. (index(name, 'circle') == 1 .eqv. &
+            chosen%number(1, setting_place(moving_pivot_group, 'circle_radius')) > 0) .and. any(name == &
+            [character(len=19) :: 'amplitude', 'frequency', 'phase', 'circle_radius', 'circle_rate'])
+         if (group == hoist_group) holds = holds .and. .not. allocated(chosen%hoist_table)
+         if (group == body_group) holds = holds .and. is_body(pendulum) .and. &
+            any(name == [character(len=19) :: 'inertia', 'distance', 'mass'])
          if (group == string_group) holds = holds .and. .not. chosen%given(elastic_group)
       end associate
    end function is_number_of
+
+   !> Whether inertia, mass and distance make the length.
+   pure logical function is_body(pendulum)
+      type(pendulum_type), intent(in) :: pendulum
+
+      is_body = allocated(pendulum%body(body_inertia)%text)
+   end function is_body
 
    !> Blanks behind.
    pure function known(chosen, pendulum) result(text)

@@ -6,64 +6,117 @@ module kyvadlo_scene_effects
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_number_text, only: digits_text, read_number, shortest_text
 #ifdef KYVADLO_WITH_GSL
-   use kyvadlo_pivot_table, only: new_pivot_table
+   use kyvadlo_motion_tables, only: new_hoist_table, new_pivot_table
 #endif
-   use kyvadlo_scene_groups, only: moving_pivot_group
+   use kyvadlo_scene_groups, only: group_names, hoist_group, moving_pivot_group
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: lower_case, shown, split_words
+   use kyvadlo_text, only: append, integer_text, lower_case, shown, split_words, text_type
    implicit none
    private
-   public :: effects_of, get_table_path
+   public :: effects_of, get_table_paths
 
    character(len=*), parameter :: line_feed = achar(10), &
       letters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'
 
 contains
 
-   !> Reads the table of the pivot too. Errors: of that file.
-   subroutine effects_of(simulation, effects, error, note)
+   !> Reads the tables too. Errors: of those files.
+   subroutine effects_of(simulation, effects, error, note, first_length)
       type(simulation_type), intent(in) :: simulation
       type(effects_type), intent(out) :: effects
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable, intent(out) :: note   !! Allocated where the table has a step
+      real(wp), intent(out), optional :: first_length      !! At time 0, of a table of lengths; 0 without one [m]
+      real(wp), allocatable :: rows(:, :)
+      character(len=:), allocatable :: path
 
       effects = simulation%settings%effects
-      if (allocated(simulation%settings%table)) call read_table(simulation, effects, error, note)
+      if (present(first_length)) first_length = 0
+      if (allocated(simulation%settings%table)) then
+         path = path_of(simulation, simulation%settings%table)
+         associate (order => simulation%settings%table_order)
+            if (order == 0) call read_table(simulation, moving_pivot_group, path, ' t x y z', rows, error)
+            if (order == 1) call read_table(simulation, moving_pivot_group, path, ' t vx vy vz', rows, error)
+            if (order == 2) call read_table(simulation, moving_pivot_group, path, ' t ax ay az', rows, error)
+         end associate
+#ifdef KYVADLO_WITH_GSL
+         if (.not. allocated(error)) call new_pivot_table(effects, rows(1, :), rows(2:, :), error, &
+            simulation%settings%table_order, simulation%settings%table_is_linear)
+         call say_where(path, error)
+#else
+         ! Enough to say that there is one: without the integrator nothing comes of it.
+         if (.not. allocated(error)) effects%pivot_times = rows(1, :)
+#endif
+         if (.not. allocated(error) .and. simulation%settings%table_order == 0) call look_for_step(path, rows, note)
+      end if
+      if (allocated(simulation%settings%hoist_table) .and. .not. allocated(error)) then
+         path = path_of(simulation, simulation%settings%hoist_table)
+         call read_table(simulation, hoist_group, path, ' t length', rows, error)
+#ifdef KYVADLO_WITH_GSL
+         if (.not. allocated(error)) call new_hoist_table(effects, rows(1, :), rows(2, :), error, first_length)
+         call say_where(path, error)
+#else
+         if (.not. allocated(error)) effects%hoist%times = rows(1, :)
+#endif
+      end if
    end subroutine effects_of
 
-   !> The path of the pivot's table, counted from the folder of the scene; not allocated where there is none.
-   subroutine get_table_path(simulation, path)
-      type(simulation_type), intent(in) :: simulation
-      character(len=:), allocatable, intent(out) :: path
+   !> Errors of a table as a whole.
+   subroutine say_where(path, error)
+      character(len=*), intent(in) :: path
+      type(error_type), allocatable, intent(inout) :: error
 
-      if (.not. allocated(simulation%settings%table)) return
-      path = simulation%settings%table
-      if (path(1:1) /= '/') path = simulation%folder//path
-   end subroutine get_table_path
+      if (.not. allocated(error)) return
+      if (index(error%message, path) == 0) error%message = path//': '//error%message
+   end subroutine say_where
 
-   !> A table of the pivot: a line for each time, `t x y z` in s and m, separated by blanks or commas; blank lines, what
-   !> follows a # or ! and a byte order mark are left out. A first line of words is a head: `t x y z`, and perhaps more,
-   !> which is not read.
-   subroutine read_table(simulation, effects, error, note)
+   !> The paths of the tables, counted from the folder of the scene.
+   subroutine get_table_paths(simulation, paths)
       type(simulation_type), intent(in) :: simulation
-      type(effects_type), intent(inout) :: effects
+      type(text_type), allocatable, intent(out) :: paths(:)
+
+      allocate (paths(0))
+      if (allocated(simulation%settings%table)) call append(paths, path_of(simulation, simulation%settings%table))
+      if (allocated(simulation%settings%hoist_table)) call append(paths, path_of(simulation, &
+         simulation%settings%hoist_table))
+   end subroutine get_table_paths
+
+   pure function path_of(simulation, table) result(path)
+      type(simulation_type), intent(in) :: simulation
+      character(len=*), intent(in) :: table
+      character(len=len(table) + merge(0, len(simulation%folder), table(1:1) == '/')) :: path
+
+      path = table
+      if (table(1:1) /= '/') path = simulation%folder//table
+   end function path_of
+
+   !> A table: a line for each time, `t x y z` or other names, SI units, separated by blanks or commas; blank lines,
+   !> what follows a # or ! and a byte order mark are left out. A first line of words is a head: those names, and
+   !> perhaps more, whose columns are not read.
+   subroutine read_table(simulation, group, path, names, rows, error)
+      type(simulation_type), intent(in) :: simulation
+      integer, intent(in) :: group                         !! That asks for it
+      character(len=*), intent(in) :: path
+      character(len=*), intent(in) :: names                !! Of the columns, a blank before each
+      real(wp), allocatable, intent(out) :: rows(:, :)     !! (columns, n)
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable, intent(out) :: note
-      character(len=:), allocatable :: text, path
-      real(wp), allocatable :: rows(:, :), more(:, :)
-      real(wp) :: row(4)
-      integer :: first, last, line, count, found
+      character(len=:), allocatable :: text
+      real(wp), allocatable :: more(:, :), row(:)
+      integer :: first, last, line, count, found, columns, i
       logical :: has_head
 
-      call get_table_path(simulation, path)
       call read_file(path, text, error)
       if (allocated(error)) then
-         error%message = place_of(simulation%settings%file, simulation%settings%line(moving_pivot_group)) &
-            //'&moving_pivot: '//error%message
+         error%message = place_of(simulation%settings%file, simulation%settings%line(group))//'&'// &
+            trim(group_names(group))//': '//error%message
          return
       end if
-      allocate (rows(4, 64))
+      columns = 0
+      do i = 1, len(names)
+         if (names(i:i) == ' ') columns = columns + 1
+      end do
+      allocate (rows(columns, 64), row(columns))
       count = 0
       line = 0
       first = 1
@@ -73,7 +126,7 @@ contains
          line = line + 1
          last = first + index(text(first:), line_feed) - 2
          if (last < first - 1) last = len(text)
-         call read_row(text(first:last), count == 0 .and. .not. has_head, has_head, row, found, error)
+         call read_row(text(first:last), count == 0 .and. .not. has_head, names, has_head, row, found, error)
          if (.not. allocated(error) .and. found > 0 .and. count > 0) then
             if (.not. row(1) > rows(1, count)) call fail(error, code_input, &
                'the times of the table must ascend, got '// shortest_text(row(1))//' after '// &
@@ -86,21 +139,14 @@ contains
          first = last + 2
          if (found == 0) cycle
          if (count == size(rows, 2)) then
-            allocate (more(4, 2*count))
+            allocate (more(columns, 2*count))
             more(:, :count) = rows
             call move_alloc(more, rows)
          end if
          count = count + 1
          rows(:, count) = row
       end do
-#ifdef KYVADLO_WITH_GSL
-      call new_pivot_table(effects, rows(1, :count), rows(2:, :count), error)
-      if (allocated(error)) error%message = path//': '//error%message
-#else
-      ! Enough to say that there is one: without the integrator nothing comes of it.
-      effects%pivot_times = rows(1, :count)
-#endif
-      if (.not. allocated(error)) call look_for_step(path, rows(:, :count), note)
+      rows = rows(:, :count)
    end subroutine read_table
 
    !> A spline overshoots far beside a step: where the pivot is a thousand times as fast as on the average.
@@ -121,13 +167,14 @@ contains
          //shortest_text(rows(1, i))//' to '//shortest_text(rows(1, i + 1))//' s; the spline overshoots beside it'
    end subroutine look_for_step
 
-   !> Four numbers of a line, or the words of a head.
-   subroutine read_row(line, may_be_head, has_head, row, count, error)
+   !> The numbers of a line, or the words of a head.
+   subroutine read_row(line, may_be_head, names, has_head, row, count, error)
       character(len=*), intent(in) :: line
       logical, intent(in) :: may_be_head
+      character(len=*), intent(in) :: names                !! Of the columns, a blank before each
       logical, intent(inout) :: has_head
-      real(wp), intent(out) :: row(4)
-      integer, intent(out) :: count                        !! Numbers found: 0 or 4
+      real(wp), intent(out) :: row(:)
+      integer, intent(out) :: count                        !! Numbers found: none or all
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: between = ' ,'//achar(9)//achar(13)
       character(len=:), allocatable :: what
@@ -145,9 +192,9 @@ contains
          last = first + scan(line(first:length), between) - 2
          if (last < first) last = length
          count = count + 1
-         if (count > 4) exit
+         if (count > size(row)) exit
          if (may_be_head .and. count == 1 .and. verify(line(first:first), letters) == 0) then
-            call read_head(line(:length), has_head, error)
+            call read_head(line(:length), names, size(row), has_head, error)
             count = 0
             return
          end if
@@ -156,14 +203,15 @@ contains
          call fail(error, code_input, 'a number is expected, got '//shown(line(first:last))//' ('//what//')')
          return
       end do
-      if (count == 5 .and. has_head) count = 4
-      if (count /= 0 .and. count /= 4) &
-         call fail(error, code_input, 'a line of the table has 4 numbers, t x y z, got '//shown(line))
+      if (count == size(row) + 1 .and. has_head) count = size(row)
+      if (count /= 0 .and. count /= size(row)) call fail(error, code_input, 'a line of the table has '// &
+         integer_text(size(row))//' numbers,'//names//', got '//shown(line))
    end subroutine read_row
 
-   !> A head begins with t, x, y, z: kyvadlo's own CSV.
-   subroutine read_head(line, has_head, error)
-      character(len=*), intent(in) :: line
+   !> A head begins with those names, as kyvadlo's own CSV does.
+   subroutine read_head(line, names, columns, has_head, error)
+      character(len=*), intent(in) :: line, names
+      integer, intent(in) :: columns
       logical, intent(inout) :: has_head
       type(error_type), allocatable, intent(out) :: error
       integer, allocatable :: first(:), last(:)
@@ -176,13 +224,17 @@ contains
       end do
       call split_words(blank, first, last, count)
       begin = ''
-      do i = 1, min(count, 4)
+      do i = 1, min(count, columns)
          begin = begin//' '//blank(first(i):last(i))
       end do
       has_head = .true.
-      if (begin /= ' t x y z') &
-         call fail(error, code_input, 'a line of the table has 4 numbers, t x y z, or is a head t,x,y,z, got '// &
-         shown(line))
+      if (begin == names) return
+      blank = names(2:)
+      do i = 1, len(blank)
+         if (blank(i:i) == ' ') blank(i:i) = ','
+      end do
+      call fail(error, code_input, 'a line of the table has '//integer_text(columns)//' numbers,'//names// &
+         ', or is a head '//blank//', got '//shown(line))
    end subroutine read_head
 
 end module kyvadlo_scene_effects

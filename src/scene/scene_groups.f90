@@ -11,21 +11,22 @@ module kyvadlo_scene_groups
       rule_count, rule_text, rule_truth, rule_direction, rules
    public :: pendulum_group, output_group, rod_group, string_group, buoyancy_group, turning_frame_group, air_group, &
       wind_group, earth_rotation_group, moving_pivot_group, elastic_group, anisotropic_support_group, fit_group, &
-         camera_group, event_group
+      camera_group, event_group, hoist_group, body_group
    public :: start_heights, start_gaps, start_rises, start_energy, start_energy_above_top, start_energy_above_bottom, &
       start_release, start_state
 
    !> Places in `group_names`.
    integer, parameter :: pendulum_group = 1, output_group = 2, rod_group = 3, string_group = 4, buoyancy_group = 5, &
       turning_frame_group = 6, air_group = 7, wind_group = 8, earth_rotation_group = 9, moving_pivot_group = 10, &
-      elastic_group = 11, anisotropic_support_group = 12, fit_group = 13, camera_group = 14, event_group = 15
+      elastic_group = 11, anisotropic_support_group = 12, fit_group = 13, camera_group = 14, event_group = 15, &
+      hoist_group = 16, body_group = 17
 
    character(len=19), parameter :: group_names(*) = [character(len=19) :: 'pendulum', 'output', 'rod', 'string', &
       'buoyancy', 'turning_frame', 'air', 'wind', 'earth_rotation', 'moving_pivot', 'elastic', 'anisotropic_support', &
-      'fit', 'camera', 'event']
+      'fit', 'camera', 'event', 'hoist', 'body']
    !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
    logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., &
-      .false., .false., .false., .false., .false., .false., .true., .true., .true.]
+      .false., .false., .false., .false., .false., .false., .true., .true., .true., .false., .true.]
 
    !> What a value may be: `name must RULE`.
    integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &
@@ -86,6 +87,8 @@ module kyvadlo_scene_groups
       setting_type(air_group, 'linear', 1, rule_not_negative, '1/s', 'drag force over mass and speed, not negative', &
       '0'), setting_type(air_group, 'quadratic', 1, rule_not_negative, '1/m', &
       'drag force over mass and square of the speed, not negative', '0'), &
+      setting_type(air_group, 'drag', 1, rule_text, '', &
+      '`sphere`: the curve of Brown and Lawler (2003), to the Reynolds number 2e5', ''), &
       setting_type(air_group, 'diameter', 1, rule_positive, 'm', 'of a spherical bob, instead of the two above', ''), &
       setting_type(air_group, 'mass', 1, rule_positive, 'kg', 'of the spherical bob', ''), &
    ! At 20 degrees Celsius and 101325 Pa: ISO 2533 gives 1.225 and 1.789e-5 at 15 degrees, ideal gas and Sutherland's
@@ -101,8 +104,31 @@ module kyvadlo_scene_groups
       setting_type(moving_pivot_group, 'frequency', 3, rule_not_negative, 'Hz', 'along x, y, z, not negative', ''), &
       setting_type(moving_pivot_group, 'phase', 3, rule_any, 'deg', 'along x, y, z', '0'), &
       setting_type(moving_pivot_group, 'table', 1, rule_text, '', 'a file of times and displacements instead', ''), &
+      setting_type(moving_pivot_group, 'table_of', 1, rule_text, '', &
+      '`displacement`, `velocity` or `acceleration`: what the table has', '`''displacement''`'), &
+      setting_type(moving_pivot_group, 'between', 1, rule_text, '', &
+      '`spline` or `linear`: how the table goes on between its lines', '`''spline''`'), &
+      setting_type(moving_pivot_group, 'move_to', 3, rule_any, 'm', 'from rest at 0 to rest there instead', ''), &
+      setting_type(moving_pivot_group, 'speed', 1, rule_positive, 'm/s', 'the largest of that move, positive', ''), &
+      setting_type(moving_pivot_group, 'acceleration', 1, rule_positive, 'm/s2', 'the largest of that move, positive', &
+      ''), setting_type(moving_pivot_group, 'jerk', 1, rule_positive, 'm/s3', 'the largest of that move, positive', &
+      'none'), &
+      setting_type(moving_pivot_group, 'circle_radius', 1, rule_not_negative, 'm', &
+      'of a level circle instead, run through from x towards y, not negative', ''), &
+      setting_type(moving_pivot_group, 'circle_rate', 1, rule_any, 'Hz', 'turns a second; negative: the other way', &
+      ''), &
       setting_type(moving_pivot_group, 'relative', 1, rule_truth, '', &
       '`.true.`: positions and velocities relative to the pivot', '`.false.`'), &
+      setting_type(hoist_group, 'rate', 1, rule_any, 'm/s', 'at which the length grows; negative: it shrinks', ''), &
+      setting_type(hoist_group, 'table', 1, rule_text, '', 'a file of times and lengths instead', ''), &
+      setting_type(body_group, 'inertia', 1, rule_positive, 'kg m2', 'of the body about the pivot, positive', ''), &
+      setting_type(body_group, 'distance', 1, rule_positive, 'm', 'of its centre of mass from the pivot, positive', &
+      ''), &
+      setting_type(body_group, 'mass', 1, rule_positive, 'kg', 'of the body, or of the bob, positive', ''), &
+      setting_type(body_group, 'bob_diameter', 1, rule_not_negative, 'm', &
+      'of a ball whose centre is `length` below the pivot, not negative', '0'), &
+      setting_type(body_group, 'wire_mass', 1, rule_not_negative, 'kg', &
+      'of the wire from the pivot to the ball, not negative', '0'), &
       setting_type(elastic_group, 'stiffness', 1, rule_positive, 'N/m', &
       'of the rod, or of the string with `&string`, positive', 'required'), &
       setting_type(elastic_group, 'mass', 1, rule_positive, 'kg', 'of the bob, positive', 'required'), &

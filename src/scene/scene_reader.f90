@@ -1,8 +1,8 @@
 !> How a scene file becomes pendulums.
 module kyvadlo_scene_reader
    use kyvadlo_group_values, only: read_group, refuse
-   use kyvadlo_namelist_file, only: group_type, parse_groups, place_of, read_groups
-   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_namelist_file, only: entry_type, group_type, parse_groups, place_of, read_groups
+   use kyvadlo_scene, only: body_inertia, body_names, pendulum_type
    use kyvadlo_scene_groups
    use kyvadlo_scene_settings, only: settings_type, value_of_name_type
    use kyvadlo_scene_settings_reader, only: settings_from_groups
@@ -45,7 +45,8 @@ contains
       if (.not. allocated(pendulums)) allocate (pendulums(0))
    end subroutine parse_scene
 
-   !> Only what a pendulum without effects is: &output, &rod, &fit and &camera change nothing about it.
+   !> Only what a pendulum without effects is: &output, &rod, &fit and &camera change nothing about it, &body its
+   !> length.
    pure subroutine scene_from_groups(groups, file, pendulums, error, note)
       type(group_type), intent(in) :: groups(:)
       character(len=*), intent(in) :: file
@@ -62,7 +63,7 @@ contains
       do i = 1, size(group_names)
          ! The length of the orbit is that of a rod, which is what the tables show anyway.
          if (.not. settings%given(i) .or. any(i == [output_group, rod_group, fit_group, camera_group, &
-            event_group])) cycle
+            event_group, body_group])) cycle
          what = place_of(file, settings%line(i))//'&'//trim(group_names(i))//' is computed by kyvadlo simulate'
          if (present(note)) then
             note%text = what//'; here is the motion without it'
@@ -73,24 +74,30 @@ contains
       end do
    end subroutine scene_from_groups
 
-   !> The pendulums among the groups; the others are left alone. Error: there is none.
+   !> The pendulums among the groups, with their &body; the others are left alone. Error: there is none.
    pure subroutine pendulums_from_groups(groups, file, pendulums, error)
       type(group_type), intent(in) :: groups(:)
       character(len=*), intent(in) :: file
       type(pendulum_type), allocatable, intent(out) :: pendulums(:)
       type(error_type), allocatable, intent(out) :: error
-      integer :: i, count
+      type(value_of_name_type) :: body(size(settings))
+      integer :: i, count, line
 
       count = 0
+      line = 0
       do i = 1, size(groups)
          if (groups(i)%name == 'pendulum') count = count + 1
+         if (groups(i)%name /= 'body') cycle
+         call read_group(groups(i), body_group, body, error)
+         if (allocated(error)) return
+         line = groups(i)%line
       end do
       allocate (pendulums(count))
       count = 0
       do i = 1, size(groups)
          if (groups(i)%name /= 'pendulum') cycle
          count = count + 1
-         call pendulum_from_group(groups(i), pendulums(count), error)
+         call pendulum_from_group(groups(i), line, body, pendulums(count), error)
          if (allocated(error)) return
          if (pendulums(count)%name == '') pendulums(count)%name = 'pendulum '//integer_text(count)
       end do
@@ -126,8 +133,10 @@ contains
    end subroutine choose_pendulum
 
    !> Takes the values of a group and finds its start.
-   pure subroutine pendulum_from_group(given, pendulum, error)
+   pure subroutine pendulum_from_group(given, body_line, body, pendulum, error)
       type(group_type), intent(in) :: given
+      integer, intent(in) :: body_line                  !! Of &body; 0: there is none
+      type(value_of_name_type), intent(in) :: body(size(settings))
       type(pendulum_type), intent(out) :: pendulum
       type(error_type), allocatable, intent(out) :: error
       type(value_of_name_type) :: values(size(settings))
@@ -149,6 +158,14 @@ contains
       end do
       pendulum%file = group%file
       pendulum%line = group%line
+      pendulum%body_line = body_line
+      do i = 1, merge(size(body_names), 0, body_line > 0)
+         associate (value => body(setting_place(body_group, trim(body_names(i)))))
+            if (value%line(1) > 0) pendulum%body(i) = value%text(1)
+         end associate
+      end do
+      if (allocated(pendulum%body(body_inertia)%text)) call leave_length(group, error)
+      if (allocated(error)) return
       call read_group(group, pendulum_group, values, error)
       if (allocated(error)) return
       pendulum%name = ''
@@ -185,6 +202,29 @@ contains
          end if
       end subroutine take
    end subroutine pendulum_from_group
+
+   !> A body has the length that it makes: none may be given, and a number that nothing comes of stands for it.
+   pure subroutine leave_length(group, error)
+      type(group_type), intent(inout) :: group
+      type(error_type), allocatable, intent(out) :: error
+      type(entry_type), allocatable :: entries(:)
+      integer :: i, n
+
+      n = size(group%entries)
+      do i = 1, n
+         if (group%entries(i)%name == 'length') call refuse(error, group, group%entries(i)%line, &
+            'length and inertia of &body exclude each other')
+         if (allocated(error)) return
+      end do
+      allocate (entries(n + 1))
+      entries(:n) = group%entries
+      entries(n + 1)%name = 'length'
+      entries(n + 1)%line = group%line
+      allocate (entries(n + 1)%values(1))
+      entries(n + 1)%values(1)%text = '1'
+      entries(n + 1)%values(1)%line = group%line
+      call move_alloc(entries, group%entries)
+   end subroutine leave_length
 
    !> Finds the one start whose names the group gives.
    pure subroutine choose_start(group, values, start, error)

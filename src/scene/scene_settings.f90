@@ -3,11 +3,11 @@ module kyvadlo_scene_settings
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_effects, only: effects_type
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_scene_groups, only: group_names, settings
+   use kyvadlo_scene_groups, only: body_group, group_names, setting_place, settings
    use kyvadlo_text, only: text_type
    implicit none
    private
-   public :: settings_type, value_of_name_type, derivative_type, event_request_type
+   public :: settings_type, value_of_name_type, derivative_type, event_request_type, is_extended
 
    !> What a name was given.
    type :: value_of_name_type
@@ -55,6 +55,20 @@ module kyvadlo_scene_settings
       logical :: relative = .false.                      !! Output in the frame of the pivot
       type(effects_type) :: effects                      !! But the table of the pivot, which is read when it is needed
       character(len=:), allocatable :: table             !! File of times and displacements; not allocated: none
+      logical :: is_sphere = .false.                     !! The drag is that of the curve
+      integer :: table_order = 0                         !! 0: of displacements, 1: of velocities, 2: of accelerations
+      logical :: table_is_linear = .false.               !! Between its lines; else a spline
+      character(len=:), allocatable :: hoist_table       !! ... and of times and lengths
    end type settings_type
+
+contains
+
+   !> Whether a body is more than a mass point.
+   pure logical function is_extended(chosen)
+      type(settings_type), intent(in) :: chosen
+
+      is_extended = any(chosen%number(1, [setting_place(body_group, 'inertia'), setting_place(body_group, &
+         'bob_diameter'), setting_place(body_group, 'wire_mass')]) > 0)
+   end function is_extended
 
 end module kyvadlo_scene_settings

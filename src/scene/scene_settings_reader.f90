@@ -1,15 +1,16 @@
 !> How the groups of a scene beside &pendulum become its settings. Every name and value is checked.
 module kyvadlo_scene_settings_reader
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_curves, only: move_curve
    use kyvadlo_decimal_grid, only: read_whole
-   use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type
+   use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type, sphere_coefficients
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, place_of
    use kyvadlo_quantities, only: default_quantities, has_derivatives, quantities, quantity_derivatives, &
       quantity_position, quantity_velocity
    use kyvadlo_scene_groups
-   use kyvadlo_scene_settings, only: event_request_type, settings_type, value_of_name_type
+   use kyvadlo_scene_settings, only: event_request_type, is_extended, settings_type, value_of_name_type
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: integer_text, lower_case, shown, split_words
    implicit none
@@ -23,13 +24,23 @@ module kyvadlo_scene_settings_reader
    end type contradiction_type
 
    type(contradiction_type), parameter :: contradictions(*) = [ &
+      contradiction_type(air_group, 'linear', 'drag'), contradiction_type(air_group, 'quadratic', 'drag'), &
       contradiction_type(air_group, 'linear', 'diameter'), contradiction_type(air_group, 'quadratic', 'diameter'), &
       contradiction_type(air_group, 'linear', 'mass'), contradiction_type(air_group, 'quadratic', 'mass'), &
       contradiction_type(air_group, 'linear', 'density'), contradiction_type(air_group, 'quadratic', 'density'), &
       contradiction_type(air_group, 'linear', 'viscosity'), contradiction_type(air_group, 'quadratic', 'viscosity'), &
       contradiction_type(moving_pivot_group, 'table', 'amplitude'), &
+      contradiction_type(moving_pivot_group, 'table', 'move_to'), &
+      contradiction_type(moving_pivot_group, 'table', 'circle_radius'), &
+      contradiction_type(moving_pivot_group, 'move_to', 'amplitude'), &
+      contradiction_type(moving_pivot_group, 'move_to', 'circle_radius'), &
+      contradiction_type(moving_pivot_group, 'amplitude', 'circle_radius'), &
       contradiction_type(moving_pivot_group, 'table', 'frequency'), contradiction_type(moving_pivot_group, 'table', &
-      'phase'), contradiction_type(output_group, 'samples', 'rate')]
+      'phase'), contradiction_type(output_group, 'samples', 'rate'), contradiction_type(hoist_group, 'table', 'rate'), &
+      contradiction_type(body_group, 'inertia', 'bob_diameter'), &
+      contradiction_type(body_group, 'inertia', 'wire_mass'), &
+      contradiction_type(body_group, 'distance', 'bob_diameter'), &
+      contradiction_type(body_group, 'distance', 'wire_mass')]
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
@@ -160,14 +171,18 @@ contains
          if (allocated(error)) return
       end if
       chosen%relative = chosen%number(1, setting_place(moving_pivot_group, 'relative')) > 0
-      call set_effects(chosen)
-      i = setting_place(moving_pivot_group, 'table')
+      i = setting_place(air_group, 'drag')
       if (values(i)%line(1) > 0) then
-         chosen%table = trim(values(i)%text(1)%text)
-         if (chosen%table == '') call fail(error, code_input, place_of(chosen%file, values(i)%line(1)) &
-            //'&moving_pivot: table needs the name of a file')
+         chosen%is_sphere = lower_case(values(i)%text(1)%text) == 'sphere'
+         if (.not. chosen%is_sphere) call fail(error, code_input, place_of(chosen%file, values(i)%line(1))// &
+            '&air: drag must be sphere, got '//shown(values(i)%text(1)%text))
          if (allocated(error)) return
       end if
+      call set_effects(chosen)
+      call take_table(values, moving_pivot_group, chosen, chosen%table, error)
+      if (.not. allocated(error)) call take_kind_of_table(values, chosen, error)
+      if (.not. allocated(error)) call take_table(values, hoist_group, chosen, chosen%hoist_table, error)
+      if (allocated(error)) return
       associate (words => values(setting_place(output_group, 'quantities')))
          if (words%line(1) == 0) then
             call read_quantities(default_quantities, '', chosen%quantities, error)
@@ -179,6 +194,49 @@ contains
       if (.not. allocated(error)) call take_derivatives(values(setting_place(output_group, 'derivatives')), chosen, &
          error)
    end subroutine take_values
+
+   !> What the table of the pivot has, and how it goes on between its lines.
+   pure subroutine take_kind_of_table(values, chosen, error)
+      type(value_of_name_type), intent(in) :: values(size(settings))
+      type(settings_type), intent(inout) :: chosen
+      type(error_type), allocatable, intent(out) :: error
+      character(len=12), parameter :: kinds(0:2) = [character(len=12) :: 'displacement', 'velocity', 'acceleration']
+
+      associate (of => values(setting_place(moving_pivot_group, 'table_of')), &
+         between => values(setting_place(moving_pivot_group, 'between')))
+         if (of%line(1) > 0) then
+            chosen%table_order = findloc(kinds, lower_case(of%text(1)%text), 1) - 1
+            if (chosen%table_order < 0) call fail(error, code_input, place_of(chosen%file, of%line(1))// &
+               '&moving_pivot: table_of must be displacement, velocity or acceleration, got '//shown(of%text(1)%text))
+         end if
+         if (between%line(1) == 0 .or. allocated(error)) return
+         chosen%table_is_linear = lower_case(between%text(1)%text) == 'linear'
+         if (.not. chosen%table_is_linear .and. lower_case(between%text(1)%text) /= 'spline') then
+            call fail(error, code_input, place_of(chosen%file, between%line(1))// &
+               '&moving_pivot: between must be spline or linear, got '//shown(between%text(1)%text))
+         else if (chosen%table_is_linear .and. chosen%table_order == 0) then
+            call fail(error, code_input, place_of(chosen%file, between%line(1))//'&moving_pivot: a pivot that '// &
+               'jumps from one velocity to the next has no acceleration; between=''linear'' is for velocities and '// &
+               'accelerations')
+         end if
+      end associate
+   end subroutine take_kind_of_table
+
+   !> The file of a table; not allocated where none is given.
+   pure subroutine take_table(values, group, chosen, table, error)
+      type(value_of_name_type), intent(in) :: values(size(settings))
+      integer, intent(in) :: group
+      type(settings_type), intent(in) :: chosen
+      character(len=:), allocatable, intent(out) :: table
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (value => values(setting_place(group, 'table')))
+         if (value%line(1) == 0) return
+         table = trim(value%text(1)%text)
+         if (table == '') call fail(error, code_input, place_of(chosen%file, value%line(1))//'&'// &
+            trim(group_names(group))//': table needs the name of a file')
+      end associate
+   end subroutine take_table
 
    !> What of the quantities is differentiated; position and velocity if none of them is asked for. By what, is read
    !> once the start is known.
@@ -214,17 +272,32 @@ contains
          effects%added_mass = number(buoyancy_group, 'added_mass')
          effects%linear_drag = number(air_group, 'linear')
          effects%quadratic_drag = number(air_group, 'quadratic')
-         if (number(air_group, 'diameter') > 0) call air_coefficients(number(air_group, 'diameter'), &
-            number(air_group, 'mass'), number(air_group, 'density'), number(air_group, 'viscosity'), &
-            effects%linear_drag, effects%quadratic_drag)
+         effects%sphere_speed = 0
+         if (chosen%is_sphere) then
+            call sphere_coefficients(number(air_group, 'diameter'), number(air_group, 'mass'), &
+               number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, &
+               effects%quadratic_drag, effects%sphere_speed)
+         else if (number(air_group, 'diameter') > 0) then
+            call air_coefficients(number(air_group, 'diameter'), number(air_group, 'mass'), &
+               number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, &
+               effects%quadratic_drag)
+         end if
          effects%wind = vector(wind_group, 'velocity')
          if (chosen%given(earth_rotation_group)) effects%turn_rate = &
             earth_turn_rate(number(earth_rotation_group, 'latitude'), number(earth_rotation_group, 'rate'))
          effects%pivot_amplitude = vector(moving_pivot_group, 'amplitude')
          effects%pivot_frequency = vector(moving_pivot_group, 'frequency')
          effects%pivot_phase = vector(moving_pivot_group, 'phase')*degree
+         if (number(moving_pivot_group, 'circle_radius') > 0) then
+            effects%pivot_amplitude(:2) = number(moving_pivot_group, 'circle_radius')
+            effects%pivot_frequency(:2) = abs(number(moving_pivot_group, 'circle_rate'))
+            effects%pivot_phase(2) = -sign(90*degree, number(moving_pivot_group, 'circle_rate'))
+         end if
+         effects%pivot_curve = move_curve(vector(moving_pivot_group, 'move_to'), number(moving_pivot_group, 'speed'), &
+            number(moving_pivot_group, 'acceleration'), number(moving_pivot_group, 'jerk'))
          if (chosen%given(elastic_group)) effects%stiffness = number(elastic_group, 'stiffness')/number(elastic_group, &
             'mass')
+         effects%hoist_rate = number(hoist_group, 'rate')
          effects%extra_length = [number(anisotropic_support_group, 'extra_length_x'), &
             number(anisotropic_support_group, 'extra_length_y')]
       end associate
@@ -257,6 +330,18 @@ contains
 
       call exclude(error, rod_group, string_group)
       call exclude(error, rod_group, elastic_group)
+      call exclude(error, string_group, hoist_group)
+      if (is_given(body_group, 'inertia') .or. is_given(body_group, 'distance')) then
+         call need(error, body_group, ['inertia ', 'distance', 'mass    '], '; its length is inertia/(mass distance)')
+      else if (.not. is_given(body_group, 'bob_diameter') .or. is_given(body_group, 'wire_mass')) then
+         call need(error, body_group, ['mass'], '')
+      end if
+      if (is_extended(chosen)) then
+         call exclude(error, body_group, string_group)
+         call exclude(error, body_group, elastic_group)
+         call exclude(error, body_group, hoist_group)
+         call exclude(error, body_group, anisotropic_support_group)
+      end if
       restitution = setting_place(string_group, 'restitution')
       if (chosen%given(elastic_group) .and. is_given(string_group, 'restitution')) call complain(error, &
          values(restitution)%line(1), '&string: restitution and &elastic exclude each other')
@@ -270,8 +355,15 @@ contains
       end do
       if (.not. (is_given(air_group, 'linear') .or. is_given(air_group, 'quadratic'))) call need(error, air_group, &
          ['diameter', 'mass    '], '; give linear or quadratic, or diameter and mass of a sphere')
-      if (.not. allocated(chosen%table)) call need(error, moving_pivot_group, ['amplitude', 'frequency'], &
-         '; give amplitude and frequency, or table')
+      if (is_given(moving_pivot_group, 'move_to')) then
+         call need(error, moving_pivot_group, ['speed       ', 'acceleration'], ' beside move_to')
+      else if (is_given(moving_pivot_group, 'circle_radius')) then
+         call need(error, moving_pivot_group, ['circle_rate'], ' beside circle_radius')
+      else if (.not. allocated(chosen%table)) then
+         call need(error, moving_pivot_group, ['amplitude', 'frequency'], &
+            '; give amplitude and frequency, or table, move_to or circle_radius')
+      end if
+      if (.not. allocated(chosen%hoist_table)) call need(error, hoist_group, ['rate'], ', or table')
       if (.not. is_given(anisotropic_support_group, 'extra_length_y')) &
          call need(error, anisotropic_support_group, ['extra_length_x'], ', or extra_length_y')
 

@@ -65,6 +65,19 @@ contains
       end do
       call numbers_of(simulation%pendulum, numbers, error)
       if (allocated(error)) return
+      do j = 1, size(list)
+         associate (new => changes(j)%change, value => simulation%settings%number(1, list(j)%setting))
+            ! Of a body the length is inertia/(mass distance), or that which is typed and more.
+            select case (trim(group_names(settings(list(j)%setting)%group))//'.'//settings(list(j)%setting)%name)
+            case ('pendulum.length')
+               new%length = numbers%longer
+            case ('body.inertia')
+               new%length = scene%length/value
+            case ('body.distance', 'body.mass')
+               new%length = -scene%length/value
+            end select
+         end associate
+      end do
       numbers%gravity = effective_gravity(scene%gravity, scene%effects%density_ratio, scene%effects%added_mass)
       call start_changes(simulation%pendulum%start, scene, numbers, changes, core, error)
       if (.not. allocated(error) .and. (scene%starts_freely .or. any(scene%effects%extra_length > 0))) &
@@ -112,8 +125,8 @@ contains
       associate (effects => new%change%effects, e => which%element, old => chosen%effects, &
          value => chosen%number(which%element, which%setting))
          select case (trim(group_names(settings(which%setting)%group))//'.'//settings(which%setting)%name)
-         case ('pendulum.length')
-            new%change%length = 1
+         case ('pendulum.length', 'body.inertia', 'body.distance', 'body.mass')
+            ! The numbers of the pendulum say it.
          case ('pendulum.gravity')
             new%change%gravity = 1
          case ('string.restitution')
@@ -131,13 +144,16 @@ contains
          case ('air.diameter')
             effects%linear_drag = old%linear_drag/value
             effects%quadratic_drag = 2*old%quadratic_drag/value
+            effects%sphere_speed = -old%sphere_speed/value
          case ('air.mass')
             effects%linear_drag = -old%linear_drag/value
             effects%quadratic_drag = -old%quadratic_drag/value
          case ('air.density')
             effects%quadratic_drag = old%quadratic_drag/value
+            effects%sphere_speed = -old%sphere_speed/value
          case ('air.viscosity')
             effects%linear_drag = old%linear_drag/value
+            effects%sphere_speed = old%sphere_speed/value
          case ('wind.velocity')
             effects%wind(e) = 1
          case ('earth_rotation.latitude')
@@ -151,8 +167,14 @@ contains
             effects%pivot_amplitude(e) = 1
          case ('moving_pivot.frequency')
             effects%pivot_frequency(e) = 1
+         case ('moving_pivot.circle_radius')
+            effects%pivot_amplitude(:2) = 1
+         case ('moving_pivot.circle_rate')
+            effects%pivot_frequency(:2) = sign(1.0_wp, value)
          case ('moving_pivot.phase')
             effects%pivot_phase(e) = degree
+         case ('hoist.rate')
+            effects%hoist_rate = 1
          case ('elastic.stiffness')
             effects%stiffness = old%stiffness/value
          case ('elastic.mass')
@@ -203,7 +225,7 @@ contains
                case (start_state)
                   column = [new%start(1, :), new%start(2, :)]
                   if (.not. scene%starts_freely) call surface_change(suspension_type(radius=l), &
-                     suspension_change_type(is_none=.false., radius=made%length), a, b, column(1:3), column(4:6))
+                     suspension_change_type(radius=made%length), a, b, column(1:3), column(4:6))
                case (start_release)
                   column = release_change(l, a(1), made%length, first, second)
                case default

@@ -22,7 +22,7 @@ module kyvadlo_simulate
    use kyvadlo_samples, only: sample_sink_type, scene_event_type
    use kyvadlo_scene_events, only: begin_search, event_search_type, forget_found, search_orbit, search_stretch, &
       search_string
-   use kyvadlo_scene_groups, only: event_group, output_group, string_group, turning_frame_group
+   use kyvadlo_scene_groups, only: air_group, event_group, output_group, string_group, turning_frame_group
    use kyvadlo_scene_derivatives, only: derivative_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
@@ -274,6 +274,7 @@ contains
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
 
+      if (path%mass > 0) call fill_newtons(path%mass, path%centre_part, path%gravity, path%effects, block)
       call fill_inclination(block)
       call fill_ellipse(effective_gravity(path%gravity, path%effects%density_ratio, path%effects%added_mass), &
          merge(path%length*(1 - slack_part), 0.0_wp, path%effects%is_string), simulation%settings%frame_rate, block)
@@ -459,6 +460,11 @@ contains
       associate (settings => simulation%settings, run => integrated%run)
          select case (run%failure)
          case (failure_short_step)
+            if (index(error%message, 'Reynolds') > 0) then
+               error%message = place_of(settings%file, settings%line(air_group))//'&air: drag=''sphere'' ends at '// &
+                  'the Reynolds number 2e5, which the bob passes at t = '//trim(digits_text(run%time, 6))//' s'
+               return
+            end if
             error%message = path%hardest//'no step is short enough at t = '//shortest_text(run%time) &
                //' s; the motion is singular there, or too fast for the accuracy (option --accuracy)'
          case (failure_steps)

@@ -5,9 +5,9 @@ module kyvadlo_simulation
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_quantities, only: quantity_derivatives
-   use kyvadlo_scene, only: pendulum_type
+   use kyvadlo_scene, only: body_names, pendulum_type
    use kyvadlo_scene_derivatives, only: derivative_type, parse_derivatives
-   use kyvadlo_scene_groups, only: pendulum_group, settings, starts
+   use kyvadlo_scene_groups, only: body_group, pendulum_group, settings, starts
    use kyvadlo_scene_reader, only: choose_pendulum, pendulums_from_groups
    use kyvadlo_scene_settings, only: settings_type
    use kyvadlo_scene_settings_reader, only: set_effects, settings_from_groups
@@ -77,10 +77,15 @@ contains
       type(simulation_type), intent(inout) :: simulation
       type(derivative_type), intent(in) :: which
       real(wp), intent(in) :: value
+      integer :: i
 
       associate (pendulum => simulation%pendulum, name => settings(which%setting)%name)
          if (settings(which%setting)%group /= pendulum_group) then
             simulation%settings%number(which%element, which%setting) = value
+            do i = 1, size(body_names)
+               if (settings(which%setting)%group == body_group .and. name == body_names(i)) &
+                  pendulum%body(i)%text = shortest_text(value)
+            end do
             call set_effects(simulation%settings)
          else if (name == 'length') then
             pendulum%length%text = shortest_text(value)

@@ -7,12 +7,13 @@ module kyvadlo_simulation_path
    use kyvadlo_accuracy, only: accurate_orbit_type, accuracy_finest_quad, new_orbit_to_accuracy
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
+   use kyvadlo_force_checks, only: check_forces
    use kyvadlo_forces, only: forces_type, new_forces
    use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
    use kyvadlo_pivot, only: pivot_motion
-   use kyvadlo_quantities, only: quantity_major
+   use kyvadlo_quantities, only: quantity_major, quantity_tension
    use kyvadlo_sample_times, only: rounded_off, samples_at_rate
    use kyvadlo_scene_effects, only: effects_of
    use kyvadlo_scene_groups
@@ -48,6 +49,8 @@ module kyvadlo_simulation_path
       type(string_event_type), allocatable :: events(:)
       real(wp) :: position(3) = 0, velocity(3) = 0 !! At the start, relative to the pivot [m], [m/s]
       logical :: starts_freely = .false.        !! On no orbit: only a string or a suspension lets it start there
+      real(wp) :: mass = 0                      !! Of the body [kg]; 0: not given
+      real(wp) :: centre_part = 1               !! Distance of its centre of mass over the length
       real(wp) :: inertia = 1                   !! Mass moved, fluid included, over that of the bob
       real(wp) :: pivot_energy = 0              !! Of the bob at the pivot's height, where that stays at one [m2/s2]
       real(wp) :: duration = 0                  !! [s]
@@ -81,6 +84,8 @@ module kyvadlo_simulation_path
    integer, parameter :: most_figures = 34
    !> What two parts of a double resolve.
    real(wp), parameter :: finest_of_parts = epsilon(1.0_wp)**2
+   !> What a table of lengths may be off at time 0: numbers of three digits, as in kyvadlo_gaps.
+   real(wp), parameter :: most_off = 1e-3_wp
    real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
@@ -96,12 +101,17 @@ contains
       real(wp), intent(in), optional :: accuracy       !! Of places in l (default: all digits), or of a step (1e-12)
       real(wp), intent(in), optional :: most_steps     !! Of an integration (default 1e7)
       type(numbers_type) :: numbers
+      real(wp) :: first_length
       logical :: has_orbit
 
       associate (settings => simulation%settings)
          call numbers_of(simulation%pendulum, numbers, error)
          if (allocated(error)) return
          path%length = numbers%length
+         path%mass = numbers%mass
+         path%centre_part = numbers%distance/numbers%length
+         call check_forces(settings, error)
+         if (allocated(error)) return
          path%gravity = numbers%gravity
          numbers%gravity = effective_gravity(path%gravity, settings%effects%density_ratio, settings%effects%added_mass)
          path%gravity_rest = effective_gravity_rest(path%gravity, settings%effects%density_ratio, &
@@ -112,10 +122,11 @@ contains
          path%most_steps = default_most_steps
          if (present(most_steps)) path%most_steps = most_steps
          path%inertia = effective_inertia(settings%effects%density_ratio, settings%effects%added_mass)
-         call effects_of(simulation, path%effects, error, path%note)
+         call effects_of(simulation, path%effects, error, path%note, first_length)
          if (.not. allocated(error)) call find_start(simulation, numbers, path, has_orbit, error)
          if (.not. allocated(error)) call count_samples(simulation%settings, path%duration, error)
          if (.not. allocated(error)) call check_table(simulation, path, error)
+         if (.not. allocated(error)) call check_length(simulation, path, first_length, error)
          if (allocated(error)) return
          if (any_effect(path%effects) .or. differentiates_effects(simulation)) then
             call choose_integration(simulation, path, error)
@@ -223,7 +234,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> The groups behind the `cause_*` constants; 0: &pendulum.
       integer, parameter :: groups(*) = [0, 0, air_group, wind_group, earth_rotation_group, moving_pivot_group, &
-         elastic_group]
+         elastic_group, hoist_group]
       integer :: cause
 
       associate (settings => simulation%settings)
@@ -297,21 +308,54 @@ contains
       end associate
    end subroutine follow_string
 
-   !> A table of the pivot must cover the duration.
+   !> The tables of pivot and length must cover the duration.
    subroutine check_table(simulation, path, error)
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. allocated(path%effects%pivot_times)) return
-      associate (t => path%effects%pivot_times, settings => simulation%settings)
-         if (size(t) < 1) return
+      if (allocated(path%effects%pivot_times)) call check(path%effects%pivot_times, moving_pivot_group)
+      if (allocated(path%effects%pivot_curve%times)) call check(path%effects%pivot_curve%times, moving_pivot_group)
+      if (allocated(path%effects%hoist%times)) call check(path%effects%hoist%times, hoist_group)
+
+   contains
+
+      subroutine check(t, group)
+         real(wp), intent(in) :: t(:)
+         integer, intent(in) :: group
+
+         if (allocated(error) .or. size(t) < 1) return
          if (t(1) <= 0 .and. t(size(t)) >= path%duration) return
-         call fail(error, code_input, place_of(settings%file, settings%line(moving_pivot_group))// &
-            '&moving_pivot: the table must ' //'cover the duration, 0 to '//shortest_text(path%duration)// &
-            ' s; it goes from '//shortest_text(t(1))//' to ' //shortest_text(t(size(t)))//' s')
-      end associate
+         associate (settings => simulation%settings)
+            call fail(error, code_input, place_of(settings%file, settings%line(group))//'&'// &
+               trim(group_names(group))//': the table must cover the duration, 0 to '// &
+               shortest_text(path%duration)//' s; it goes from '// &
+               shortest_text(t(1))//' to '//shortest_text(t(size(t)))//' s')
+         end associate
+      end subroutine check
    end subroutine check_table
+
+   !> A length that varies begins as the pendulum's, and stays positive.
+   subroutine check_length(simulation, path, first_length, error)
+      type(simulation_type), intent(in) :: simulation
+      type(path_type), intent(in) :: path
+      real(wp), intent(in) :: first_length             !! Of the table, at time 0; 0: there is none [m]
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (settings => simulation%settings, rate => path%effects%hoist_rate)
+         if (first_length > 0 .and. .not. abs(first_length - path%length) <= most_off*path%length) then
+            call fail(error, code_input, place_of(settings%file, settings%line(hoist_group))// &
+               '&hoist: the table must begin with the length of the pendulum, '// &
+               trim(digits_text(path%length, 6))//' m at t = 0; it has '// &
+               trim(digits_text(first_length, 6))//' m there')
+         else if (.not. path%length + rate*path%duration > 0) then
+            call fail(error, code_input, place_of(settings%file, settings%line(hoist_group))// &
+               '&hoist: the length must stay positive over the duration of '// &
+               trim(digits_text(path%duration, 6))//' s; at this rate nothing is left of it after '// &
+               trim(digits_text(-path%length/rate, 6))//' s')
+         end if
+      end associate
+   end subroutine check_length
 
    !> The cheapest evaluation that keeps an accuracy of the places throughout.
    subroutine plan_accuracy(simulation, numbers, accuracy, is_asked, path, error)
@@ -350,8 +394,9 @@ contains
       path%method = path%method//' ('//trim(path%plan%choice_text())//')'
       ! Two figures more than the accuracy has, so that rounding adds a hundredth of it.
       if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
-      if (path%figures > 0 .and. any(simulation%settings%quantities >= quantity_major)) call fail(error, code_input, &
-         'option --accuracy below 1e-16: major, minor, plane and handedness are computed in double precision')
+      if (path%figures > 0 .and. any(simulation%settings%quantities >= quantity_major .or. path%mass > 0 .and. &
+         simulation%settings%quantities == quantity_tension)) call fail(error, code_input, 'option --accuracy '// &
+         'below 1e-16: major, minor, plane, handedness and forces in newtons are computed in double precision')
       ! Figures beyond those of doubles are figures of the decimals that were written, not of the doubles next to them.
       if (.not. allocated(error) .and. path%figures > 0 .and. allocated(path%plan%wide)) call orbit_in_fluid( &
          simulation%pendulum, simulation%settings%effects%density_ratio, simulation%settings%effects%added_mass, &

@@ -10,7 +10,7 @@ module kyvadlo_sweep_plan
    use kyvadlo_number_text, only: read_number
    use kyvadlo_quantities, only: quantity_inclination, quantity_position
    use kyvadlo_philox, only: checksum
-   use kyvadlo_scene_effects, only: effects_of, get_table_path
+   use kyvadlo_scene_effects, only: effects_of, get_table_paths
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: numbers_of, numbers_type
    use kyvadlo_scene_reader, only: pendulums_from_groups
@@ -21,7 +21,7 @@ module kyvadlo_sweep_plan
    use kyvadlo_sweep_axes, only: axis_normal, axis_type, draw_cloud, most_axes, plain_name, read_axis
    use kyvadlo_sweep_chunks, only: cut_type, new_cut
    use kyvadlo_sweep_measures
-   use kyvadlo_text, only: integer_text, shown
+   use kyvadlo_text, only: integer_text, shown, text_type
    use kyvadlo_version, only: with_gsl
    implicit none
    private
@@ -63,7 +63,7 @@ module kyvadlo_sweep_plan
       logical :: is_period_of_gaps = .false.         !! Nothing but T over the two gaps
       integer(int64) :: points = 1
       type(cut_type) :: cut
-      integer :: table_checksum = 0                  !! Of the file of the pivot's displacements; 0: there is none
+      integer :: table_checksum = 0                  !! Of the files of its tables; 0: there is none
    end type plan_type
 
    !> Points of a chunk at most, where values are stored and where only reductions are; a small sweep has chunks for
@@ -448,7 +448,8 @@ contains
       type(plan_type), intent(inout) :: plan
       type(error_type), allocatable, intent(out) :: error
       type(effects_type) :: effects
-      character(len=:), allocatable :: note, table, text
+      character(len=:), allocatable :: note, text
+      type(text_type), allocatable :: tables(:)
       integer :: i
 
       do i = 1, size(group_names)
@@ -457,12 +458,13 @@ contains
             'this build has no integrator (CMake option KYVADLO_WITH_GSL) for &'//trim(group_names(i)))
          return
       end do
-      if (.not. allocated(plan%scene%settings%table)) return
       call effects_of(plan%scene, effects, error, note)
-      if (allocated(error)) return
-      call get_table_path(plan%scene, table)
-      call read_file(table, text, error)
-      if (.not. allocated(error)) plan%table_checksum = int(iand(checksum(text), int(huge(0), int64)))
+      call get_table_paths(plan%scene, tables)
+      do i = 1, merge(0, size(tables), allocated(error))
+         call read_file(tables(i)%text, text, error)
+         if (allocated(error)) exit
+         plan%table_checksum = ieor(plan%table_checksum, int(iand(checksum(text), int(huge(0), int64))))
+      end do
    end subroutine check_effects
 
    !> The quantities that the samples need.
@@ -483,8 +485,7 @@ contains
             end if
          end associate
       end do
-      ! The events come with whatever is asked for.
-      if (size(needed) == 0) call need(quantity_position)
+      if (size(needed) == 0) call need(quantity_position)   ! The events come with whatever is asked for.
       plan%scene%settings%quantities = needed
 
    contains

@@ -45,7 +45,7 @@ if has_quad; then
    run simulate late.nml
    expect_status 0
    turns 'Airy, late' "$(awk 'BEGIN { print 3/8*0.03*0.01 }')" 1e-3
-   fails 2 'option --accuracy below 1e-16: major, minor, plane and handedness' simulate airy.nml --accuracy 1e-20
+   fails 2 'option --accuracy below 1e-16: major, minor, plane, handedness' simulate airy.nml --accuracy 1e-20
 fi
 
 # A frame that turns is seen against the plane; a string in flight has none; a circle neither.

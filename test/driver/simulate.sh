@@ -167,6 +167,10 @@ if [ $with_gsl = yes ]; then
    holds 'energy balance of the crane' crane.csv '
       NR == 2 { start = $5 } NR > 1 { d = $5 - $6 - $7 - start; if (!(d*d < 1e-14)) print }
       END { if (!($2 > 5 && $2 < 15 && $7 > 1)) print "the trolley has not moved" }'
+   # To 1e-11 of g l.
+   holds 'energy balance of the hoisted load' hoisting_crane.csv '
+      NR == 2 { start = $5 } NR > 1 { d = $5 - $6 - start; if (!(d*d < 1.4e-18)) print }
+      END { if (!($6 > 50)) print "the winch has not lifted" }'
    # dL/dt = -linear L about the vertical, whatever the swing.
    holds 'momentum decays exponentially' conical_drag.csv '
       NR == 2 { start = $5 } NR > 1 { d = $5 - start*exp(-0.05*$1); if (!(d*d < 1e-20)) print }
@@ -182,7 +186,7 @@ if [ $with_gsl = yes ]; then
    # Every effect alone reaches the bob; with all coefficients zero the closed form answers.
    for effect in '&air linear=0.1' '&air quadratic=0.1' '&air diameter=0.1 mass=0.1' '&earth_rotation latitude=90 rate=0.1' \
       '&moving_pivot amplitude=0.1,0,0 frequency=3*0.5' '&elastic stiffness=1000 mass=1' \
-      '&anisotropic_support extra_length_y=0.1' '&air linear=0.1 / &wind velocity=3,0,0'; do
+      '&anisotropic_support extra_length_y=0.1' '&hoist rate=0.1' '&air linear=0.1 / &wind velocity=3,0,0'; do
       printf '%s\n' '&pendulum length=1, z_upper=-0.2, z_lower=-0.8 / &output duration=3, samples=4 /' >still.nml
       run simulate still.nml
       mv out still
@@ -195,7 +199,7 @@ if [ $with_gsl = yes ]; then
       [ "$(tail -n 1 out)" != "$(tail -n 1 still)" ] || complain 'the effect must show'
    done
    printf '%s\n' '&pendulum length=1, z_upper=-0.2, z_lower=-0.8 / &output duration=3, samples=4 /' \
-      '&air linear=0 / &wind velocity=1,2,3 / &anisotropic_support extra_length_x=0 /' >zero.nml
+      '&air linear=0 / &wind velocity=1,2,3 / &anisotropic_support extra_length_x=0 / &hoist rate=0 /' >zero.nml
    run simulate zero.nml --explain --check
    checks=$((checks + 1))
    cmp -s out still || complain 'coefficients of zero are the closed form'

@@ -8,7 +8,7 @@ program effects_table
    use, intrinsic :: iso_fortran_env, only: output_unit, real64
    use kyvadlo, error_type => kyvadlo_error_type
    use kyvadlo_effects
-   use kyvadlo_pivot_table
+   use kyvadlo_motion_tables
    use effects_race
    use study_pages, only: write_machine
    implicit none

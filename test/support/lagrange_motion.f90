@@ -14,8 +14,11 @@ module lagrange_motion
    type :: scene_type
       real(qp) :: length = 1, gravity = 1
       real(qp) :: linear_drag = 0, quadratic_drag = 0, wind(3) = 0, turn_rate(3) = 0
+      real(qp) :: diameter = 0, mass = 1, density = 0, viscosity = 0 !! Of a sphere in air by the curve of Brown and Lawler
       real(qp) :: amplitude(3) = 0, frequency(3) = 0, phase(3) = 0
       real(qp), allocatable :: times(:), displacements(:, :)  !! Table of the pivot, (n), (3, n)
+      real(qp) :: hoist_rate = 0                              !! Of the length
+      real(qp), allocatable :: hoist_times(:), hoist_lengths(:) !! Table of it, (n)
       real(qp) :: stiffness = 0, extra_length(2) = 0, restitution = 0, density_ratio = 0, added_mass = 0
       logical :: is_string = .false.
    end type scene_type
@@ -34,6 +37,7 @@ module lagrange_motion
    type :: motion_type
       type(scene_type) :: scene
       real(qp), allocatable :: moments(:, :)   !! Second derivatives of the spline at its knots, (n, 3)
+      real(qp), allocatable :: hoist_moments(:)
       logical :: is_taut = .true.
       integer :: free = 2              !! Coordinates
       real(qp) :: y(most) = 0, t = 0
@@ -63,6 +67,8 @@ contains
             if (allocated(scene%times)) then
                h = min(h, minval(scene%times, scene%times > motion%t) - motion%t)
             end if
+            if (allocated(scene%hoist_times)) &
+               h = min(h, minval(scene%hoist_times, scene%hoist_times > motion%t) - motion%t)
             next = stepped(motion, h)
             hit = .false.
             if (scene%is_string) call look_for_contact(motion, fresh, h, next, hit)
@@ -72,7 +78,7 @@ contains
             fresh = hit
          end do
          call find_rates(motion, motion%t, motion%y, rates, tensions(i))
-         call cartesian(motion, motion%y, positions(:, i), velocities(:, i))
+         call cartesian(motion, motion%t, motion%y, positions(:, i), velocities(:, i))
          works(:, i) = motion%y(7:8)
       end do
    end subroutine lagrange_run
@@ -100,6 +106,7 @@ contains
             motion%moments(:, axis) = natural_moments(scene%times, scene%displacements(axis, :))
          end do
       end if
+      if (allocated(scene%hoist_times)) motion%hoist_moments = natural_moments(scene%hoist_times, scene%hoist_lengths)
       call set_state(motion, position, velocity)
       if (.not. scene%is_string) return
       call find_rates(motion, 0.0_qp, motion%y, rates, tension)
@@ -165,29 +172,64 @@ contains
       end associate
    end subroutine frame
 
-   pure subroutine split(motion, y, q, rate)
+   !> What the length is more than at time 0, and its derivatives.
+   pure function longer(motion, t) result(more)
       type(motion_type), intent(in) :: motion
-      real(qp), intent(in) :: y(:)
-      real(qp), intent(out) :: q(3), rate(3)
+      real(qp), intent(in) :: t
+      real(qp) :: more(0:2), at_start(0:2)
 
-      q = [y(1), y(2), motion%radius]
-      rate = [y(motion%free + 1), y(motion%free + 2), 0.0_qp]
+      more = 0
+      if (allocated(motion%hoist_moments)) then
+         more = spline(t)
+         at_start = spline(0.0_qp)
+         more(0) = more(0) - at_start(0)
+      end if
+      more(:1) = more(:1) + motion%scene%hoist_rate*[t, 1.0_qp]
+
+   contains
+
+      pure function spline(t) result(values)
+         real(qp), intent(in) :: t
+         real(qp) :: values(0:2), h, x
+         integer :: k
+
+         associate (times => motion%scene%hoist_times, f => motion%scene%hoist_lengths, m => motion%hoist_moments)
+            k = max(1, min(count(times <= t), size(times) - 1))
+            h = times(k + 1) - times(k)
+            x = t - times(k)
+            values(2) = m(k) + x*(m(k + 1) - m(k))/h
+            values(1) = (f(k + 1) - f(k))/h - h*(2*m(k) + m(k + 1))/6 + x*(m(k) + x*(m(k + 1) - m(k))/(2*h))
+            values(0) = f(k) + x*((f(k + 1) - f(k))/h - h*(2*m(k) + m(k + 1))/6 &
+               + x*(m(k)/2 + x*(m(k + 1) - m(k))/(6*h)))
+         end associate
+      end function spline
+   end function longer
+
+   pure subroutine split(motion, t, y, q, rate)
+      type(motion_type), intent(in) :: motion
+      real(qp), intent(in) :: t, y(:)
+      real(qp), intent(out) :: q(3), rate(3)
+      real(qp) :: more(0:2)
+
+      more = longer(motion, t)
+      q = [y(1), y(2), motion%radius + more(0)]
+      rate = [y(motion%free + 1), y(motion%free + 2), more(1)]
       if (motion%free == 3) then
          q(3) = y(3)
          rate(3) = y(6)
       end if
    end subroutine split
 
-   subroutine cartesian(motion, y, p, v)
+   subroutine cartesian(motion, t, y, p, v)
       type(motion_type), intent(in) :: motion
-      real(qp), intent(in) :: y(:)
+      real(qp), intent(in) :: t, y(:)
       real(qp), intent(out) :: p(3), v(3)
       real(qp) :: q(3), rate(3), tangents(3, 3), rest(3)
 
       p = y(1:3)
       v = y(4:6)
       if (.not. motion%is_taut) return
-      call split(motion, y, q, rate)
+      call split(motion, t, y, q, rate)
       call frame(motion, q, rate, tangents, rest)
       v = matmul(tangents, rate)
       ! The last tangent is the unit vector along the rod.
@@ -201,7 +243,7 @@ contains
       real(qp), intent(in) :: t, y(:)
       real(qp), intent(out) :: rates(:), tension
       real(qp), dimension(3) :: q, rate, rest, v, force, net, second, pivot_speed, pivot_bend
-      real(qp) :: tangents(3, 3), matrix(3, 3), right(3), power
+      real(qp) :: tangents(3, 3), matrix(3, 3), right(3), power, more(0:2)
       integer :: i, j, n
 
       rates = 0
@@ -214,11 +256,13 @@ contains
          return
       end if
       n = motion%free
-      call split(motion, y, q, rate)
+      call split(motion, t, y, q, rate)
       call frame(motion, q, rate, tangents, rest)
       v = matmul(tangents, rate)
       call outer_force(motion, t, v, force, power, pivot_speed, pivot_bend)
+      more = longer(motion, t)
       net = force/motion%inertia - pivot_bend - rest
+      if (n == 2) net = net - more(2)*tangents(:, 3)
       right = matmul(net, tangents)
       do i = 1, 3
          do j = 1, 3
@@ -226,11 +270,11 @@ contains
          end do
       end do
       if (n == 3) then
-         tension = motion%scene%stiffness*(q(3) - motion%radius)
+         tension = motion%scene%stiffness*(q(3) - motion%radius - more(0))
          right(3) = right(3) - tension/motion%inertia
          second = solved(matrix, right)
       else
-         ! The length keeps: its equation gives the tension.
+         ! The length is what it is: its equation gives the tension.
          matrix(:2, 3) = 0
          matrix(3, :2) = 0
          second = solved(matrix, right)
@@ -239,7 +283,7 @@ contains
       rates(:n) = rate(:n)
       rates(n + 1:2*n) = second(:n)
       rates(7) = power
-      rates(8) = -tension*dot_product(tangents(:, 3), pivot_speed)
+      rates(8) = -tension*(dot_product(tangents(:, 3), pivot_speed) + more(1))
    end subroutine find_rates
 
    !> Force per mass without that of the rod, power of the drag, and the motion of the pivot.
@@ -272,6 +316,11 @@ contains
          u = v + pivot_speed
          w = u - scene%wind
          force = -(scene%linear_drag + scene%quadratic_drag*norm2(w))*w
+         if (scene%diameter > 0) then
+            x = scene%density*norm2(w)*scene%diameter/scene%viscosity
+            h = 24/x*(1 + 0.15_qp*exp(0.681_qp*log(x))) + 0.407_qp/(1 + 8710/x)
+            force = -h*scene%density*pi*scene%diameter**2/8/scene%mass*norm2(w)*w
+         end if
          power = dot_product(force, u)
          ! Coriolis: -2 turn_rate x u
          do i = 1, 3
@@ -363,7 +412,7 @@ contains
       type(contact_type) :: contact
       real(qp) :: p(3), v(3), along(3), radial, force(3), power, pivot_speed(3), pivot_bend(3), q(3), tangents(3, 3), rest(3)
 
-      call cartesian(motion, motion%y, p, v)
+      call cartesian(motion, motion%t, motion%y, p, v)
       contact%time = motion%t
       contact%position = p
       contact%is_slack = motion%is_taut
