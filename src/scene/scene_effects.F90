@@ -43,11 +43,11 @@ contains
 #ifdef KYVADLO_WITH_GSL
          if (.not. allocated(error)) call new_pivot_table(effects, rows(1, :), rows(2:, :), error, &
             simulation%settings%table_order, simulation%settings%table_is_linear)
-         call say_where(path, error)
 #else
          ! Enough to say that there is one: without the integrator nothing comes of it.
          if (.not. allocated(error)) effects%pivot_times = rows(1, :)
 #endif
+         call say_where(path, error)
          if (.not. allocated(error) .and. simulation%settings%table_order == 0) call look_for_step(path, rows, note)
       end if
       if (allocated(simulation%settings%hoist_table) .and. .not. allocated(error)) then
@@ -55,10 +55,10 @@ contains
          call read_table(simulation, hoist_group, path, ' t length', rows, error)
 #ifdef KYVADLO_WITH_GSL
          if (.not. allocated(error)) call new_hoist_table(effects, rows(1, :), rows(2, :), error, first_length)
-         call say_where(path, error)
 #else
          if (.not. allocated(error)) effects%hoist%times = rows(1, :)
 #endif
+         call say_where(path, error)
       end if
    end subroutine effects_of
 
