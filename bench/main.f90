@@ -2,6 +2,7 @@
 program kyvadlo_bench
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use kyvadlo_bench_accuracy, only: bench_accuracy
+   use kyvadlo_bench_fits, only: bench_fits
    use kyvadlo_bench_functions, only: bench_functions
    use kyvadlo_bench_interfaces, only: bench_interfaces
    use kyvadlo_bench_motion, only: bench_motion
@@ -9,11 +10,11 @@ program kyvadlo_bench
    use kyvadlo_bench_threads, only: bench_threads
    implicit none
 
-   character(len=*), parameter :: tables(6) = [character(len=12) :: &
-      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes', '--threads']
+   character(len=*), parameter :: tables(7) = [character(len=12) :: &
+      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes', '--threads', '--fits']
    character(len=*), parameter :: help(*) = [character(len=88) :: &
       'Usage: kyvadlo-bench [--functions] [--interfaces] [--motion] [--accuracy] [--scenes]', &
-      '                     [--threads] [--quick]', &
+      '                     [--threads] [--fits] [--quick]', &
       '', &
       '  --functions   the elliptic functions', &
       '  --interfaces  a call from Fortran, from C and from Fortran 77', &
@@ -21,6 +22,7 @@ program kyvadlo_bench
       '  --accuracy    positions to a stated accuracy', &
       '  --scenes      samples of simulated scenes', &
       '  --threads     many positions on one thread and two, idle and beside two busy loops', &
+      '  --fits        fits of long tables', &
       '  --quick       a tenth of the passes: to see that it runs, not to measure', &
       '', &
       'Without a table named, all. Medians of several passes, all columns of a row measured in', &
@@ -56,4 +58,5 @@ program kyvadlo_bench
    if (wanted(4)) call bench_accuracy(output_unit, quick)
    if (wanted(5)) call bench_scenes(output_unit, quick)
    if (wanted(6)) call bench_threads(output_unit, quick)
+   if (wanted(7)) call bench_fits(output_unit, quick)
 end program kyvadlo_bench

@@ -26,7 +26,7 @@ contains
       logical :: is_estimated(column_period), is_whole
       character(len=:), allocatable :: text
       type(place_type) :: places(most_guesses + 1)
-      integer :: i, j, count_places
+      integer :: level, i, j, count_places
       integer(int64) :: start, finish, rate
 
       call new_model(model, request, data, is_estimated)
@@ -75,7 +75,10 @@ contains
          call message('path:     integrated, its derivatives by the variational equations')
       end if
       call system_clock(start, rate)
-      call guess_places(model, request, places, count_places)
+      do level = 1, 2
+         call guess_places(model, request, level, places, count_places)
+         if (count_places > 0) exit
+      end do
       call system_clock(finish)
       is_whole = all(request%free%is_given .or. (settings(request%free%setting)%group /= pendulum_group .and. &
          settings(request%free%setting)%group /= camera_group))
@@ -99,7 +102,7 @@ contains
       logical :: failed
       integer :: i
       model%motion%number = number
-      call place_at(model%motion, x, away=.true.)
+      call place_at(model%motion, x, away=1.0_wp)
       seconds = huge(seconds)
       do i = 1, 3
          call system_clock(start, rate)

@@ -64,7 +64,7 @@ contains
       if (allocated(error)) return
       if (allocated(result%notes)) then
          do i = 1, size(result%notes)
-            call message('kyvadlo: '//data%file//': '//result%notes(i)%text)
+            call message('kyvadlo: '//result%notes(i)%text)
          end do
       end if
       if (result%is_converged) then

@@ -161,7 +161,7 @@ contains
       model%motion%of = fresh%motion%of
       model%motion%number = result%number
       allocate (x(size(model%motion%of)))
-      call place_at(model%motion, x, away=.true.)
+      call place_at(model%motion, x, away=1.0_wp)
    end subroutine keep_bounds
 
    !> An end, or the bound of its setting that comes before it.

@@ -1,38 +1,25 @@
 !> From measurements to the pendulum that made them: the best minimum, standard deviations, and what the data cannot
 !> tell.
 module kyvadlo_fit
-   use, intrinsic :: iso_c_binding, only: c_double
    use kyvadlo_fit_data
-   use kyvadlo_fit_known, only: say_known
-   use kyvadlo_fit_model, only: model_type, predict, use_until
+   use kyvadlo_fit_model, only: predict, use_until
    use kyvadlo_fit_motion, only: find_states
-   use kyvadlo_fit_physics, only: direction_type, physics_type
    use kyvadlo_fit_places, only: new_model, sigma_groups
    use kyvadlo_fit_request, only: fit_request_type, loss_squares
    use kyvadlo_fit_result, only: fit_result_type, fitted_type
    use kyvadlo_fit_search, only: minimise_all, search
-   use kyvadlo_fit_unknowns, only: form_logarithm, form_plain, numbers_at, physics_at, place_at, unknown_position, &
-      unknown_scalar, &
-      unknown_velocity
+   use kyvadlo_fit_sigmas, only: find_sigmas, name_results, predict_values
+   use kyvadlo_fit_unknowns, only: place_at
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_lapack, only: dgesvd
-   use kyvadlo_least_squares, only: minimum_type
+   use kyvadlo_least_squares, only: minimum_type, triangle_of
    use kyvadlo_number_text, only: digits_text
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_scene_groups
    use kyvadlo_status, only: code_input, error_type, fail
-   use kyvadlo_text, only: append, integer_text, text_type
+   use kyvadlo_text, only: append, integer_text
    implicit none
    private
    public :: fit_result_type, fitted_type, check_fit, fit_measurements, refit, find_sigmas
-
-   interface
-      function gsl_gamma_q(a, x) bind(c, name='gsl_sf_gamma_inc_Q') result(q)
-         import :: c_double
-         real(c_double), value :: a, x
-         real(c_double) :: q
-      end function gsl_gamma_q
-   end interface
 
 contains
 
@@ -41,16 +28,23 @@ contains
       type(fit_request_type), intent(in) :: request
       type(fit_data_type), intent(in) :: data
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       call check_fit_data(data, error)
       if (allocated(error)) return
       if (any(data%has([column_u, column_v])) .and. .not. request%has_camera) call fail(error, code_input, data%file// &
          ':'//integer_text(data%header_line)//': columns u and v need a &camera group in the scene')
+      if (allocated(error) .or. .not. data%has(column_amplitude)) return
+      do i = 1, data%rows
+         if (.not. data%value(i, column_amplitude) >= merge(180.0_wp, acos(-1.0_wp), request%in_degrees)) cycle
+         call fail(error, code_input, data%file//':'//integer_text(data%line(i))// &
+            ': amplitude must be below half a turn')
+         return
+      end do
    end subroutine check_fit
 
    !> Fits. Errors: of the data, with file and line; of a scene that does not go with them. A result without a minimum
-   !> has
-   !> `is_converged` false.
+   !> has `is_converged` false.
    subroutine fit_measurements(request, data, result, error)
       type(fit_request_type), intent(in) :: request
       type(fit_data_type), intent(in) :: data
@@ -82,7 +76,7 @@ contains
             return
          end if
       end if
-      call search(result%model, request, result%x, minimum, others)
+      call search(result%model, request, .not. any(result%is_estimated), result%x, minimum, others)
       if (.not. minimum%squares < huge(1.0_wp)) then
          call use_until(result%model, huge(1.0_wp), 1)
          call place_at(result%model%motion, result%x)
@@ -116,7 +110,7 @@ contains
          end do
          call append(result%others, text(:len(text) - 2))
       end do
-      call look_at_units(result)
+      call look_at_units(result, data)
    end subroutine fit_measurements
 
    !> From x on: with the delays of times that have errors, and the sigmas that are estimated, until they stay.
@@ -179,24 +173,28 @@ contains
       end associate
    end subroutine move_delays
 
-   !> Sigmas from residuals, one for each group of columns.
+   !> Sigmas from residuals, one for each group of columns: the sum of squares over what the parameters leave of the
+   !> number of rows, each row by its leverage (so a parameter counts where it is determined).
    subroutine estimate_sigmas(result, change)
       type(fit_result_type), intent(inout) :: result
       real(wp), intent(out) :: change                    !! Relative, the largest
-      real(wp) :: h(size(result%model%used)), sigma
+      real(wp) :: h(size(result%model%used)), f(result%model%residuals), sigma
+      real(wp) :: jacobian(size(result%x), result%model%residuals), taken(result%model%residuals)
       logical :: failed, mine(size(result%model%used))
       integer :: i, j, n
 
       change = 0
       call predict_values(result, h, failed)
+      if (.not. failed) call result%model%evaluate(result%x, f, failed, jacobian)
       if (failed) return
+      call find_leverages(jacobian, taken)
       associate (m => result%model)
          n = size(m%used)
          do j = 1, maxval(sigma_groups)
             mine = [(result%is_estimated(m%all(m%used(i))%column) .and. sigma_groups(m%all(m%used(i))%column) == j, &
                i=1, n)]
             if (.not. any(mine)) cycle
-            sigma = sqrt(sum((h - m%all(m%used)%value)**2, mine)/(count(mine)*(1 - size(result%x)/real(n, wp))))
+            sigma = sqrt(sum((h - m%all(m%used)%value)**2, mine)/max(sum(1 - taken(:n), mine), 1e-3_wp*count(mine)))
             if (m%loss /= loss_squares) sigma = 1.4826_wp*median_of(pack(abs(h - m%all(m%used)%value), mine))
             if (.not. sigma > 0) sigma = tiny(sigma)**0.25_wp
             do i = 1, n
@@ -207,6 +205,27 @@ contains
          end do
       end associate
    end subroutine estimate_sigmas
+
+   !> The part of each residual that the parameters take: the diagonal of J (J'J)**-1 J', which sums to their number.
+   !> What a column adds to those before it is as nothing to rounding is left out.
+   pure subroutine find_leverages(jacobian, taken)
+      real(wp), intent(in) :: jacobian(:, :)             !! (p, rows)
+      real(wp), intent(out) :: taken(:)
+      real(wp) :: r(size(jacobian, 1), size(jacobian, 1)), y(size(jacobian, 1))
+      real(wp), parameter :: nothing = 1e-9_wp
+      integer :: i, j
+
+      call triangle_of(jacobian, r)
+      do i = 1, size(jacobian, 2)
+         ! R'y = the row.
+         do j = 1, size(y)
+            y(j) = 0
+            if (abs(r(j, j)) > nothing*norm2(r(:j, j))) &
+               y(j) = (jacobian(j, i) - dot_product(r(:j - 1, j), y(:j - 1)))/r(j, j)
+         end do
+         taken(i) = sum(y**2)
+      end do
+   end subroutine find_leverages
 
    real(wp) function median_of(values) result(median)
       real(wp), intent(in) :: values(:)
@@ -225,245 +244,37 @@ contains
       end do
    end function median_of
 
-   !> Predictions of everything, at the delays.
-   subroutine predict_values(result, h, failed)
+   !> A pendulum of a kilometre is one of a metre in millimetres; a frequency may be an alias.
+   subroutine look_at_units(result, data)
       type(fit_result_type), intent(inout) :: result
-      real(wp), intent(out) :: h(:)
-      logical, intent(out) :: failed
-      real(wp) :: rates(size(h))
-
-      rates = 0
-      call predict(result%model, result%x, h, failed, rates)
-   end subroutine predict_values
-
-   !> The covariance by the singular values of the derivatives in natural units. A direction that could be changed by
-   !> its
-   !> natural size within one sigma is not determined.
-   subroutine find_sigmas(result, request)
-      type(fit_result_type), intent(inout) :: result
-      type(fit_request_type), intent(in) :: request
-      real(wp), parameter :: least_singular = 1, rounding = 1e-11_wp, least_part = 0.3_wp
-      real(wp), allocatable :: jacobian(:, :), f(:), matrix(:, :), work(:), d(:, :), spread_of(:, :), parts(:)
-      real(wp) :: s(size(result%x)), vt(size(result%x), size(result%x)), u(1, 1), number(3, size(settings)), natural
-      real(wp) :: part, floor, rates(size(result%x)), growth
-      type(model_type) :: model
-      type(physics_type) :: physics
-      type(direction_type) :: directions(size(result%x))
-      logical :: failed, is_out(size(result%x)), is_plain
-      integer :: p, m, i, j, k, n, info
-      character(len=:), allocatable :: names
-
-      p = size(result%x)
-      model = result%model
-      ! By the settings themselves: bounds have no part in sigmas.
-      call numbers_at(model%motion, result%x, number, rates)
-      call physics_at(model%motion, result%x, number, physics, failed)
-      model%motion%number = number
-      do j = 1, p
-         if (model%motion%of(j)%form /= form_logarithm) model%motion%of(j)%form = form_plain
-      end do
-      call place_at(model%motion, result%x)
-      result%model%motion = model%motion
-      result%number = number
-      call name_results(result, request)
-      m = model%residuals
-      allocate (jacobian(p, m), f(m))
-      call model%evaluate(result%x, f, failed, jacobian)
-      if (allocated(result%undetermined)) deallocate (result%undetermined)
-      allocate (result%undetermined(0))
-      if (failed) then
-         result%is_converged = .false.
-         return
-      end if
-      call keep_residuals(result)
-      matrix = transpose(jacobian)
-      allocate (work(10*p + 2*m))
-      call dgesvd('N', 'A', m, p, matrix, m, s, u, 1, vt, p, work, size(work), info)
-      if (info /= 0) then
-         result%is_converged = .false.
-         return
-      end if
-      result%condition = s(1)/max(s(p), tiny(1.0_wp))
-      is_out = s < max(least_singular, rounding*s(1))
-      floor = max(rounding*s(1), tiny(1.0_wp))
-      call physics_at(model%motion, result%x, number, physics, failed, directions)
-      n = result%of(size(result%of))%first + result%of(size(result%of))%elements - 1
-      allocate (d(n, p), parts(n))
-      d = 0
-      call numbers_at(model%motion, result%x, number, rates)
-      do i = 1, size(result%of)
-         associate (one => result%of(i))
-            select case (kind_of(one%setting))
-            case (unknown_position)
-               do j = 1, p
-                  d(one%first:one%first + 2, j) = directions(j)%change%position
-               end do
-            case (unknown_velocity)
-               do j = 1, p
-                  d(one%first:one%first + 2, j) = directions(j)%change%velocity
-               end do
-            case default
-               do j = 1, p
-                  if (model%motion%of(j)%setting == one%setting) d(one%first + model%motion%of(j)%element - 1, j) = &
-                     rates(j)
-               end do
-            end select
-         end associate
-      end do
-      ! (n, p) each element along each direction.
-      spread_of = matmul(d, transpose(vt))
-      allocate (result%covariance(n, n))
-      result%covariance = 0
-      do j = 1, p
-         if (is_out(j)) cycle
-         do k = 1, n
-            result%covariance(:, k) = result%covariance(:, k) + spread_of(:, j)*spread_of(k, j)/s(j)**2
-         end do
-      end do
-      do i = 1, size(result%of)
-         associate (one => result%of(i))
-            do k = 1, one%elements
-               natural = natural_size(one%setting, one%first + k - 1)
-               part = sqrt(sum((spread_of(one%first + k - 1, :)/max(s, floor))**2, is_out))
-               parts(one%first + k - 1) = part
-               one%is_known(k) = .not. part > least_part*natural
-               if (one%is_known(k)) result%covariance(one%first + k - 1, one%first + k - 1) = &
-                  result%covariance(one%first + k - 1, one%first + k - 1) + &
-                  sum((spread_of(one%first + k - 1, :)/s)**2, is_out .and. s > floor)
-               one%sigma(k) = sqrt(result%covariance(one%first + k - 1, one%first + k - 1))
-               if (.not. one%is_known(k)) one%sigma(k) = quiet_nan_real64
-            end do
-         end associate
-      end do
-      do j = p, 1, -1
-         if (.not. is_out(j)) exit
-         names = ''
-         do i = 1, size(result%of)
-            associate (one => result%of(i))
-               ! Position and velocity grow with the length: that is the length's, not theirs.
-               growth = 0
-               if (kind_of(one%setting) /= unknown_scalar) growth = growth_of_length(spread_of(:, j))
-               is_plain = .true.
-               do k = 1, one%elements
-                  ! Of an unknown number, those directions that matter.
-                  if (.not. one%is_known(k) .and. abs(spread_of(one%first + k - 1, j) - growth*one%value(k)) > &
-                     0.1_wp*max(s(j), floor)*parts(one%first + k - 1)) is_plain = .false.
-               end do
-               if (.not. is_plain) names = names//'/'//trim(one%name)
-            end associate
-         end do
-         if (len(names) > 1) call add_new(result%undetermined, names(2:))
-      end do
-      call say_known(result, spread_of, s, is_out)
-
-   contains
-
-      integer function kind_of(setting)
-         integer, intent(in) :: setting
-
-         kind_of = unknown_scalar
-         if (setting == setting_place(pendulum_group, 'position')) kind_of = unknown_position
-         if (setting == setting_place(pendulum_group, 'velocity')) kind_of = unknown_velocity
-      end function kind_of
-
-      !> Relative, along a direction; 0 where the length is known.
-      real(wp) function growth_of_length(along) result(growth)
-         real(wp), intent(in) :: along(:)
-         integer :: i
-
-         i = findloc(result%of%setting, setting_place(pendulum_group, 'length'), 1)
-         growth = 0
-         if (i > 0) growth = along(result%of(i)%first)/physics%length
-      end function growth_of_length
-
-      real(wp) function natural_size(setting, row)
-         integer, intent(in) :: setting, row
-
-         select case (kind_of(setting))
-         case (unknown_position)
-            natural_size = physics%length
-         case (unknown_velocity)
-            natural_size = max(sqrt(physics%gravity*physics%length), norm2(physics%velocity))
-         case default
-            natural_size = maxval(abs(d(row, :)))
-         end select
-      end function natural_size
-   end subroutine find_sigmas
-
-   subroutine add_new(texts, text)
-      type(text_type), allocatable, intent(inout) :: texts(:)
-      character(len=*), intent(in) :: text
-      integer :: i
-
-      do i = 1, size(texts)
-         if (texts(i)%text == text) return
-      end do
-      call append(texts, text)
-   end subroutine add_new
-
-   !> Names and values of the free settings.
-   subroutine name_results(result, request)
-      type(fit_result_type), intent(inout) :: result
-      type(fit_request_type), intent(in) :: request
-      integer :: i, first
-
-      if (allocated(result%of)) deallocate (result%of)
-      allocate (result%of(size(request%free)))
-      first = 1
-      do i = 1, size(request%free)
-         associate (one => result%of(i))
-            one%name = request%free(i)%name
-            one%setting = request%free(i)%setting
-            one%elements = settings(one%setting)%values
-            one%first = first
-            one%value = result%number(:, one%setting)
-            one%sigma = quiet_nan_real64
-            first = first + one%elements
-         end associate
-      end do
-   end subroutine name_results
-
-   !> Predictions, residuals, chi2 and its probability.
-   subroutine keep_residuals(result)
-      type(fit_result_type), intent(inout) :: result
-      real(wp) :: f(result%model%residuals)
-      logical :: failed
-      integer :: n, loss
-
-      n = size(result%model%used)
-      if (allocated(result%predicted)) deallocate (result%predicted, result%residual)
-      allocate (result%predicted(n), result%residual(n))
-      call predict_values(result, result%predicted, failed)
-      loss = result%model%loss
-      result%model%loss = loss_squares
-      call result%model%evaluate(result%x, f, failed)
-      result%model%loss = loss
-      result%residual = -f(:n)
-      result%chi2 = sum(f**2)
-      result%p_value = 0
-      if (result%dof < 1) then
-         result%p_value = 1
-      else if (result%chi2 < result%dof - 30*sqrt(2.0_wp*result%dof)) then
-         result%p_value = 1
-      else if (result%chi2 < result%dof + 30*sqrt(2.0_wp*result%dof)) then
-         result%p_value = gsl_gamma_q(result%dof/2.0_wp, result%chi2/2)
-      end if
-   end subroutine keep_residuals
-
-   !> A pendulum of a kilometre is one of a metre in millimetres.
-   subroutine look_at_units(result)
-      type(fit_result_type), intent(inout) :: result
-      real(wp) :: length, gravity
+      type(fit_data_type), intent(in) :: data
+      real(wp) :: length, gravity, gap, period
 
       if (.not. allocated(result%notes)) allocate (result%notes(0))
       length = result%number(1, setting_place(pendulum_group, 'length'))
       gravity = result%number(1, setting_place(pendulum_group, 'gravity'))
-      if (length > 100 .or. length < 1e-3_wp) call append(result%notes, 'length fits at '//digits_text(length, 7)// &
-         ' m: are the data in metres and seconds?')
-      if (any(result%of%setting == setting_place(pendulum_group, 'gravity')) .and. (gravity > 100 .or. gravity < &
-         0.1_wp)) &
-         call append(result%notes, 'gravity fits at '//digits_text(gravity, 7)// &
-         ' m/s2: are the data in metres and seconds?')
+      if (length > 100 .or. length < 1e-3_wp) then
+         call note('length fits at '//digits_text(length, 7)//' m: are the data in metres and seconds?')
+      else if (any(result%of%setting == setting_place(pendulum_group, 'gravity')) .and. &
+         (gravity > 100 .or. gravity < 0.1_wp)) then
+         call note('gravity fits at '//digits_text(gravity, 7)//' m/s2: are the data in metres and seconds?')
+      end if
+      if (size(result%model%times) < 2) return
+      associate (t => result%model%times)
+         gap = minval(t(2:) - t(:size(t) - 1))
+         period = 2*acos(-1.0_wp)*sqrt(length/gravity)
+         if (3*gap > period .and. maxval(t(2:) - t(:size(t) - 1)) < 1.01_wp*gap) call note( &
+            'rows at equal intervals, fewer than three a period, do not tell a frequency from its aliases: the '// &
+            'lowest was looked for first')
+      end associate
+
+   contains
+
+      subroutine note(text)
+         character(len=*), intent(in) :: text
+
+         call append(result%notes, data%file//':'//integer_text(data%header_line)//': '//text)
+      end subroutine note
    end subroutine look_at_units
 
 end module kyvadlo_fit

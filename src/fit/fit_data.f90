@@ -52,7 +52,7 @@ contains
       character(len=*), intent(in) :: text, file
       type(fit_data_type), intent(out) :: data
       type(error_type), allocatable, intent(out) :: error
-      integer :: place(2*columns), count, cells, first(100), last(100), at, ends, line, i, rows, stop_at
+      integer :: place(2*columns), cells_wanted, cells, first(100), last(100), at, ends, line, i, k, rows, stop_at
       logical :: by_comma, has_header
       character(len=:), allocatable :: what
 
@@ -64,9 +64,16 @@ contains
       allocate (data%value(rows, columns), data%sigma(rows, columns), data%line(rows))
       data%value = quiet_nan_real64
       data%sigma = quiet_nan_real64
+      do i = 1, len(text)
+         if (iachar(text(i:i)) < 32 .and. scan(text(i:i), achar(9)//achar(10)//achar(12)//achar(13)) == 0) then
+            call fail(error, code_input, place_of(file, 1 + count([(text(k:k) == achar(10), k=1, i)]))// &
+               'not a text file (byte '//integer_text(iachar(text(i:i)))//')')
+            return
+         end if
+      end do
       has_header = .false.
       by_comma = .false.
-      count = 0
+      cells_wanted = 0
       line = 0
       at = 1
       if (len(text) >= 3) then
@@ -85,15 +92,15 @@ contains
             if (.not. has_header) then
                has_header = .true.
                data%header_line = line
-               count = cells
+               cells_wanted = cells
                call read_header(text, first, last, cells, file, line, data, place, error)
-            else if (cells /= count) then
-               call fail(error, code_input, place_of(file, line)//'a row has '//integer_text(count)// &
+            else if (cells /= cells_wanted) then
+               call fail(error, code_input, place_of(file, line)//'a row has '//integer_text(cells_wanted)// &
                   ' cells, as the header, got '//integer_text(cells))
             else
                data%rows = data%rows + 1
                data%line(data%rows) = line
-               do i = 1, count
+               do i = 1, cells_wanted
                   if (last(i) < first(i)) cycle
                   if (place(i) > columns) then
                      call read_number(text(first(i):last(i)), data%sigma(data%rows, place(i) - columns), what)
@@ -217,8 +224,18 @@ contains
             integer_text(data%rows))
       end if
       if (allocated(error)) return
+      do i = 1, data%rows
+         if (.not. data%has(column_period)) exit
+         associate (period => data%value(i, column_period), amplitude => data%value(i, column_amplitude))
+            if (is_nan(period) .and. is_nan(amplitude)) cycle
+            if (period > 0 .and. amplitude > 0) cycle
+            call fail(error, code_input, place_of(data%file, data%line(i))// &
+               'period and amplitude must both be given, and positive')
+         end associate
+         return
+      end do
       do j = 1, columns
-         if (j == column_period .or. j == column_amplitude .or. .not. data%has(j)) cycle
+         if (j == column_amplitude .or. .not. data%has(j)) cycle
          count = 0
          before = -huge(before)
          do i = 1, data%rows

@@ -114,9 +114,11 @@ contains
       end do
    end subroutine frequency_peaks
 
-   !> Pendulums whose motion is like what was seen, the best first.
-   subroutine find_guesses(view, guesses, count)
+   !> Pendulums whose motion is like what was seen, the best first. Level 1: from cubics through x, y and z; 2: for
+   !> shapes on a grid and the periods that are likely; 3: and others.
+   subroutine find_guesses(view, level, guesses, count)
       type(view_type), intent(in) :: view
+      integer, intent(in) :: level
       type(guess_type), intent(out) :: guesses(:)
       integer, intent(out) :: count
       !> Highest angles from the downward vertical, and lowest as part of what goes with them [degrees].
@@ -142,7 +144,8 @@ contains
          columns(:, m) = view%seen(:, j)
       end do
       call frequency_peaks(view%times, columns(:, :m), peaks, found)
-      if (all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
+      if (level == 1 .and. all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
+      if (level == 1) return
       do i = 1, size(highest)
          do j = 1, size(parts)
             if (view%is_plane .and. j > 1) exit
@@ -155,8 +158,8 @@ contains
                tries = 1
                rates(1) = sqrt(view%gravity/view%length)
             else
-               do k = 1, found
-                  do l = 1, size(nearby)
+               do k = 1, merge(min(found, 2), found, level == 2)
+                  do l = 1, merge(1, size(nearby), level == 2)
                      ! The strongest line is that of the mean azimuth, or of the height.
                      rates(tries + 1) = 2*pi*peaks(k)*nearby(l)/(orbit%azimuth_per_period()/orbit%period())
                      rates(tries + 2) = peaks(k)*nearby(l)*orbit%period()

@@ -1,16 +1,15 @@
 !> What a motion says of the measurements: residuals in sigmas and their derivatives by the unknowns.
 module kyvadlo_fit_model
    use kyvadlo_fit_data
-   use kyvadlo_fit_physics, only: direction_type, gravity_felt, moved, physics_type, plane_of, states_procedure, &
-      tension_of, unit_period
+   use kyvadlo_fit_observation, only: camera_angle, camera_offset, camera_scale, observe, &
+      observe_moved, period_of, to_event
+   use kyvadlo_fit_physics, only: camera_type, direction_type, is_seen_otherwise, physics_type, show, &
+      states_procedure, unit_period
    use kyvadlo_fit_request, only: loss_cauchy, loss_huber, loss_squares
-   use kyvadlo_fit_unknowns, only: camera_at, camera_type, physics_at, unknown_scalar, unknowns_type
+   use kyvadlo_fit_unknowns, only: camera_at, numbers_at, outward_slopes, physics_at, unknowns_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_least_squares, only: least_squares_type
-   use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_scene_groups
-   use kyvadlo_state_real64, only: new_orbit_from_state
-   use kyvadlo_status, only: error_type
    implicit none
    private
    public :: measurement_type, model_type, use_until, predict
@@ -50,11 +49,22 @@ contains
       type(model_type), intent(inout) :: model
       real(wp), intent(in) :: until
       integer, intent(in) :: stride
+      integer, allocatable :: used(:)
       integer :: i, n, row
 
       model%until = until
-      model%used = pack([(i, i=1, size(model%all))], model%all%time <= until .and. &
-         (modulo(model%all%row, stride) == 0 .or. stride == 1))
+      if (allocated(model%used)) deallocate (model%used)
+      allocate (used(size(model%all)))
+      n = 0
+      do i = 1, size(model%all)
+         if (model%all(i)%time > until) cycle
+         if (stride > 1) then
+            if (modulo(model%all(i)%row, stride) /= 0) cycle
+         end if
+         n = n + 1
+         used(n) = i
+      end do
+      model%used = used(:n)
       if (allocated(model%times)) deallocate (model%times)
       allocate (model%times(size(model%used)))
       n = 0
@@ -84,17 +94,26 @@ contains
       real(wp), intent(in) :: x(:)
       real(wp), intent(out) :: h(:)                       !! (used)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: rates(:)         !! (used) with time
+      real(wp), intent(out) :: rates(:)                   !! (used) with time
       real(wp), intent(out), optional :: derivatives(:, :) !! (unknowns, used)
-      real(wp) :: number(3, size(settings))
+      real(wp) :: number(3, size(settings)), slopes(size(x))
       type(physics_type) :: physics
       type(direction_type) :: directions(size(x))
       type(camera_type) :: camera
       real(wp), allocatable :: states(:, :), matrices(:, :, :), times(:)
-      integer :: i, n
+      integer :: i, k, n, parts(size(x))
 
       call physics_at(model%motion, x, number, physics, failed, directions)
       if (failed) return
+      parts = 0
+      do k = 1, size(x)
+         associate (one => model%motion%of(k))
+            if (one%setting == setting_place(camera_group, 'scale')) parts(k) = camera_scale
+            if (one%setting == setting_place(camera_group, 'angle')) parts(k) = camera_angle
+            if (one%setting == setting_place(camera_group, 'offset')) parts(k) = camera_offset + one%element - 1
+         end associate
+      end do
+      call numbers_at(model%motion, x, number, slopes)
       call camera_at(model%motion, number, camera)
       n = size(model%times)
       allocate (states(6, n))
@@ -111,21 +130,125 @@ contains
          call model%find_states(physics, directions, times, states, failed)
       end if
       if (failed) return
+      ! Forces act relative to the pivot and in resting axes.
       do i = 1, size(model%used)
          associate (one => model%all(model%used(i)))
-            if (one%time_place == 0) cycle
+            if (one%column /= column_tension .and. one%column /= column_plane) cycle
+            k = one%time_place
             if (present(derivatives)) then
-               call observe(model, one%column, one%value, physics, directions, camera, times(one%time_place), &
-                  states(:, one%time_place), h(i), rates(i), matrices(:, :, one%time_place), derivatives(:, i))
+               call observe_moved(one%column, one%value, physics, directions, times(k), states(:, k), h(i), &
+                  rates(i), matrices(:, :, k), derivatives(:, i))
             else
-               call observe(model, one%column, one%value, physics, directions, camera, times(one%time_place), &
-                  states(:, one%time_place), h(i), rates(i))
+               call observe_moved(one%column, one%value, physics, directions, times(k), states(:, k), h(i), &
+                  rates(i))
             end if
          end associate
       end do
+      if (is_seen_otherwise(physics, directions)) then
+         do k = 1, n
+            if (present(derivatives)) then
+               call show(physics, directions, times(k), states(:, k), matrices(:, :, k))
+            else
+               call show(physics, directions, times(k), states(:, k))
+            end if
+         end do
+      end if
+      do i = 1, size(model%used)
+         associate (one => model%all(model%used(i)))
+            k = one%time_place
+            if (k == 0 .or. one%column == column_tension .or. one%column == column_plane) cycle
+            if (one%column <= column_z) then
+               h(i) = states(one%column, k)
+               rates(i) = states(one%column + 3, k)
+               if (present(derivatives)) derivatives(:, i) = matrices(one%column, :, k)
+            else if (present(derivatives)) then
+               call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
+                  states(:, k), h(i), rates(i), matrices(:, :, k), derivatives(:, i))
+            else
+               call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
+                  states(:, k), h(i), rates(i))
+            end if
+         end associate
+      end do
+      if (present(derivatives)) then
+         do k = 1, size(x)
+            if (model%motion%of(k)%setting /= setting_place(camera_group, 'time_offset')) cycle
+            do i = 1, size(model%used)
+               if (model%all(model%used(i))%time_place > 0) &
+                  derivatives(k, i) = derivatives(k, i) + rates(i)*slopes(k)
+            end do
+         end do
+      end if
       call predict_events(model, physics, directions, h, rates, failed, derivatives)
-      if (.not. failed) call predict_periods(model, physics, directions, h, derivatives)
+      if (failed) return
+      do i = 1, size(model%used)
+         associate (one => model%all(model%used(i)))
+            if (one%column /= column_period) cycle
+            if (present(derivatives)) then
+               call period_of(physics, directions, one%amplitude, h(i), derivatives(:, i))
+            else
+               call period_of(physics, directions, one%amplitude, h(i))
+            end if
+         end associate
+      end do
    end subroutine predict
+
+   !> Times at which the bob is at its lowest or highest, next to those measured.
+   subroutine predict_events(model, physics, directions, h, rates, failed, derivatives)
+      class(model_type), intent(in) :: model
+      type(physics_type), intent(in) :: physics
+      type(direction_type), intent(in) :: directions(:)
+      real(wp), intent(inout) :: h(:), rates(:)
+      logical, intent(inout) :: failed
+      real(wp), intent(inout), optional :: derivatives(:, :)
+      integer, allocatable :: events(:), order(:)
+      real(wp), allocatable :: times(:), states(:, :), matrices(:, :, :)
+      real(wp) :: lift
+      integer :: i, j, k, pass
+      integer, parameter :: passes = 4
+
+      allocate (events(count([(is_event(model%all(model%used(i))%column), i=1, size(model%used))])))
+      if (size(events) == 0) return
+      k = 0
+      do i = 1, size(model%used)
+         if (.not. is_event(model%all(model%used(i))%column)) cycle
+         k = k + 1
+         events(k) = i
+      end do
+      allocate (states(6, size(events)), matrices(6, size(directions), size(events)))
+      times = model%all(model%used(events))%value
+      order = [(i, i=1, size(events))]
+      do pass = 1, passes
+         ! Ascending, of two columns of events too; where the motion is integrated, none before it began.
+         if (.not. physics%is_exact) times = max(times, 0.0_wp)
+         do i = 2, size(order)
+            k = order(i)
+            j = i - 1
+            do while (j >= 1)
+               if (times(order(j)) <= times(k)) exit
+               order(j + 1) = order(j)
+               j = j - 1
+            end do
+            order(j + 1) = k
+         end do
+         if (pass == passes .and. present(derivatives)) then
+            call model%find_states(physics, directions, times(order), states, failed, matrices)
+         else
+            call model%find_states(physics, directions, times(order), states, failed)
+         end if
+         if (failed) return
+         do i = 1, size(order)
+            k = order(i)
+            call to_event(physics, model%all(model%used(events(k)))%column == column_crossing_time, pass, &
+               states(:, i), times(k), lift, failed)
+            if (failed) return
+            if (pass < passes) cycle
+            h(events(k)) = times(k)
+            rates(events(k)) = 0
+            if (present(derivatives)) derivatives(:, events(k)) = -matrices(6, :, i)/lift
+         end do
+      end do
+   end subroutine predict_events
 
    !> Rows of the times in use, as places in `delay`.
    pure function model_rows(model) result(rows)
@@ -138,206 +261,6 @@ contains
             model%all(model%used(i))%row
       end do
    end function model_rows
-
-   !> One measured number from a state, its rate and its derivatives.
-   subroutine observe(model, column, value, physics, directions, camera, time, state, h, rate, matrix, derivatives)
-      class(model_type), intent(in) :: model
-      integer, intent(in) :: column
-      real(wp), intent(in) :: value                      !! Measured; angles count from the nearest turn
-      type(physics_type), intent(in) :: physics
-      type(direction_type), intent(in) :: directions(:)
-      type(camera_type), intent(in) :: camera
-      real(wp), intent(in) :: time, state(6)
-      real(wp), intent(out) :: h, rate
-      real(wp), intent(in), optional :: matrix(:, :)     !! (6, unknowns)
-      real(wp), intent(out), optional :: derivatives(:)
-      real(wp), parameter :: pi = acos(-1.0_wp), degree = pi/180
-      real(wp) :: slope(6), c, s, a, b, square, step, speed
-      integer :: j
-
-      slope = 0
-      select case (column)
-      case (column_x:column_z)
-         h = state(column)
-         slope(column) = 1
-      case (column_azimuth)
-         square = max(state(1)**2 + state(2)**2, 1e-12_wp*physics%length**2)
-         h = atan2(state(2), state(1))
-         h = h + 2*pi*anint((value - h)/(2*pi))
-         slope(1:2) = [-state(2), state(1)]/square
-      case (column_angle)
-         square = max(state(1)**2 + state(3)**2, 1e-12_wp*physics%length**2)
-         h = atan2(state(1), -state(3))
-         h = h + 2*pi*anint((value - h)/(2*pi))
-         slope([1, 3]) = [-state(3), state(1)]/square
-      case (column_u, column_v)
-         c = camera%scale*cos(camera%angle)
-         s = camera%scale*sin(camera%angle)
-         a = state(model%axes(1)) + camera%offset(1)
-         b = state(model%axes(2)) + camera%offset(2)
-         if (column == column_u) then
-            slope(model%axes) = [c, -s]
-            h = c*a - s*b
-         else
-            slope(model%axes) = [s, c]
-            h = s*a + c*b
-         end if
-      case (column_tension)
-         h = tension_of(physics, time, state)
-      case (column_plane)
-         h = plane_of(physics, state)
-         h = h + pi*anint((value - h)/pi)
-      end select
-      rate = dot_product(slope(1:3), state(4:6))
-      if (.not. present(derivatives)) return
-      if (column == column_tension .or. column == column_plane) then
-         speed = sqrt(physics%length*physics%gravity)
-         do j = 1, size(directions)
-            associate (m => matrix(:, j))
-               step = 1e-6_wp/max(maxval(abs(m(1:3)))/physics%length, maxval(abs(m(4:6)))/speed, &
-                  abs(directions(j)%change%length)/physics%length, abs(directions(j)%change%gravity)/physics%gravity, &
-                  1e-6_wp)
-               if (column == column_tension) then
-                  a = tension_of(moved(physics, directions(j), step), time, state + step*m)
-                  b = tension_of(moved(physics, directions(j), -step), time, state - step*m)
-               else
-                  a = plane_of(moved(physics, directions(j), step), state + step*m)
-                  b = plane_of(moved(physics, directions(j), -step), state - step*m)
-                  a = a + pi*anint((b - a)/pi)
-               end if
-               derivatives(j) = (a - b)/(2*step)
-            end associate
-         end do
-         return
-      end if
-      derivatives = matmul(slope, matrix)
-      if (column /= column_u .and. column /= column_v) return
-      do j = 1, size(directions)
-         associate (one => model%motion%of(j))
-            if (one%kind /= unknown_scalar) cycle
-            if (settings(one%setting)%group /= camera_group) cycle
-            select case (settings(one%setting)%name)
-            case ('scale')
-               derivatives(j) = derivatives(j) + h
-            case ('angle')
-               derivatives(j) = derivatives(j) + degree*one%scale*merge(-(s*a + c*b), c*a - s*b, column == column_u)
-            case ('offset')
-               derivatives(j) = derivatives(j) + slope(model%axes(one%element))*one%scale
-            case ('time_offset')
-               derivatives(j) = derivatives(j) + rate*one%scale
-            end select
-         end associate
-      end do
-   end subroutine observe
-
-   !> Times at which the bob is at its lowest or highest, next to those measured.
-   subroutine predict_events(model, physics, directions, h, rates, failed, derivatives)
-      class(model_type), intent(in) :: model
-      type(physics_type), intent(in) :: physics
-      type(direction_type), intent(in) :: directions(:)
-      real(wp), intent(inout) :: h(:), rates(:)
-      logical, intent(inout) :: failed
-      real(wp), intent(inout), optional :: derivatives(:, :)
-      integer, allocatable :: events(:), order(:)
-      real(wp), allocatable :: times(:), states(:, :), matrices(:, :, :)
-      real(wp) :: lift, felt, step
-      integer :: i, j, k, pass
-      type(orbit_type) :: orbit
-      type(error_type), allocatable :: error
-      logical :: is_low
-
-      allocate (events(count([(is_event(model%all(model%used(i))%column), i=1, size(model%used))])))
-      if (size(events) == 0) return
-      k = 0
-      do i = 1, size(model%used)
-         if (.not. is_event(model%all(model%used(i))%column)) cycle
-         k = k + 1
-         events(k) = i
-      end do
-      felt = gravity_felt(physics)
-      allocate (states(6, size(events)), matrices(6, size(directions), size(events)))
-      times = model%all(model%used(events))%value
-      order = [(i, i=1, size(events))]
-      do pass = 1, 4
-         ! Ascending, of two columns of events too; none before the motion began.
-         times = max(times, 0.0_wp)
-         do i = 2, size(order)
-            k = order(i)
-            j = i - 1
-            do while (j >= 1)
-               if (times(order(j)) <= times(k)) exit
-               order(j + 1) = order(j)
-               j = j - 1
-            end do
-            order(j + 1) = k
-         end do
-         if (pass == 4 .and. present(derivatives)) then
-            call model%find_states(physics, directions, times(order), states, failed, matrices)
-         else
-            call model%find_states(physics, directions, times(order), states, failed)
-         end if
-         if (failed) return
-         do i = 1, size(order)
-            associate (state => states(:, i), k => order(i))
-               is_low = model%all(model%used(events(k)))%column == column_crossing_time
-               lift = -felt - (dot_product(state(4:6), state(4:6)) - felt*state(3))*state(3)/dot_product(state(1:3), &
-                  state(1:3))
-               if (pass == 1 .or. (pass == 2 .and. (lift > 0 .neqv. is_low))) then
-                  call new_orbit_from_state(orbit, norm2(state(1:3)), felt, state(1:3), state(4:6), error)
-                  failed = allocated(error)
-                  if (failed) return
-                  step = orbit%next_turning_time(0.0_wp)
-                  associate (half => orbit%period()/2)
-                     failed = .not. (step <= huge(step) .and. half <= huge(half))
-                     if (failed) return
-                     if ((orbit%rise(step) < orbit%rise(step + half)) .neqv. is_low) step = step + half
-                     if (step > half) step = step - 2*half
-                     if (times(k) + step < 0) step = step + 2*half
-                  end associate
-               else
-                  step = 0
-                  if (abs(lift) > 0) step = -state(6)/lift
-                  step = max(-0.1_wp, min(0.1_wp, step/sqrt(physics%length/physics%gravity)))*sqrt(physics%length/ &
-                     physics%gravity)
-               end if
-               times(k) = times(k) + step
-               if (pass < 4) cycle
-               h(events(k)) = times(k)
-               rates(events(k)) = 0
-               if (present(derivatives)) derivatives(:, events(k)) = -matrices(6, :, i)/lift
-            end associate
-         end do
-      end do
-   end subroutine predict_events
-
-   !> Periods of plane swings, to and fro, with their amplitudes.
-   subroutine predict_periods(model, physics, directions, h, derivatives)
-      class(model_type), intent(in) :: model
-      type(physics_type), intent(in) :: physics
-      type(direction_type), intent(in) :: directions(:)
-      real(wp), intent(inout) :: h(:)
-      real(wp), intent(inout), optional :: derivatives(:, :)
-      real(wp) :: unit, r, a, gravity
-      integer :: i, j
-
-      do i = 1, size(model%used)
-         associate (one => model%all(model%used(i)))
-            if (one%column /= column_period) cycle
-            unit = unit_period(one%amplitude)
-            h(i) = sqrt(physics%length/gravity_felt(physics))*unit
-            if (.not. present(derivatives)) cycle
-            r = physics%effects%density_ratio
-            a = physics%effects%added_mass
-            do j = 1, size(directions)
-               associate (change => directions(j)%change)
-                  gravity = change%gravity/physics%gravity - change%effects%density_ratio*(1/(1 - r) + a/(1 + a*r)) - &
-                     change%effects%added_mass*r/(1 + a*r)
-                  derivatives(j, i) = h(i)/2*(change%length/physics%length - gravity)
-               end associate
-            end do
-         end associate
-      end do
-   end subroutine predict_periods
 
    !> Residuals in sigmas, what the loss makes of them, priors and springs.
    subroutine evaluate_model(problem, x, f, failed, jacobian)
@@ -395,6 +318,7 @@ contains
          end do
       end if
       if (present(jacobian)) failed = .not. all(abs(jacobian) <= huge(1.0_wp))
+      if (present(jacobian)) problem%outward = outward_slopes(problem%motion, x)
 
    contains
 

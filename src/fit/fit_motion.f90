@@ -3,12 +3,10 @@
 !> variational equations.
 module kyvadlo_fit_motion
    use kyvadlo_derivatives_real64, only: derivatives_type, new_derivatives_from_state
-   use kyvadlo_effects, only: has_moving_pivot
    use kyvadlo_fit_physics, only: direction_type, gravity_felt, physics_type
    use kyvadlo_integrator, only: integration_type, new_integration
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_orbit_real64, only: orbit_type
-   use kyvadlo_pivot, only: pivot_change, pivot_motion
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_status, only: error_type
    implicit none
@@ -17,7 +15,7 @@ module kyvadlo_fit_motion
 
 contains
 
-   !> States at ascending times as the scene's frame shows them, and their derivatives along directions.
+   !> States at ascending times, relative to the pivot and in resting axes, and their derivatives along directions.
    subroutine find_states(physics, directions, times, states, failed, matrices)
       type(physics_type), intent(in) :: physics
       type(direction_type), intent(in) :: directions(:)          !! (p)
@@ -36,8 +34,6 @@ contains
       end if
       if (failed) return
       failed = .not. all(abs(states(:, size(times))) <= huge(1.0_wp))
-      if (abs(physics%frame_rate) > 0 .or. any(abs(directions%frame_rate) > 0)) &
-         call turn(physics, directions, times, states, matrices)
    end subroutine find_states
 
    subroutine exact_states(physics, directions, times, states, failed, matrices)
@@ -53,7 +49,7 @@ contains
       integer, parameter :: block = 64
       real(wp) :: weights(8, size(directions)), felt, r, a, dr, da
       real(wp) :: position(3, block), velocity(3, block), columns(6, 8, block)
-      integer :: i, j, k, n
+      integer :: c, i, j, k, n
 
       felt = gravity_felt(physics)
       if (.not. present(matrices)) then
@@ -89,7 +85,11 @@ contains
             states(1:3, i + k - 1) = position(:, k)
             states(4:6, i + k - 1) = velocity(:, k)
             do j = 1, size(directions)
-               matrices(:, j, i + k - 1) = matmul(columns(:, :, k), weights(:, j))
+               matrices(:, j, i + k - 1) = weights(1, j)*columns(:, 1, k)
+               do c = 2, 8
+                  if (abs(weights(c, j)) > 0) matrices(:, j, i + k - 1) = matrices(:, j, i + k - 1) + &
+                     weights(c, j)*columns(:, c, k)
+               end do
             end do
          end do
       end do
@@ -106,8 +106,7 @@ contains
       type(error_type), allocatable :: error
       real(wp), allocatable :: positions(:, :), velocities(:, :), tensions(:), works(:, :)
       real(wp), parameter :: most_steps = 2e6_wp
-      real(wp) :: displacement(3), velocity(3), acceleration(3)
-      integer :: n, i, j
+      integer :: n
 
       n = size(times)
       allocate (positions(3, n), velocities(3, n), tensions(n), works(n, 2))
@@ -130,51 +129,6 @@ contains
       if (failed) return
       states(1:3, :) = positions
       states(4:6, :) = velocities
-      if (.not. (has_moving_pivot(physics%effects) .or. any(abs(physics%effects%pivot_amplitude) > 0))) return
-      do i = 1, n
-         call pivot_motion(physics%effects, times(i), displacement, velocity)
-         states(:, i) = states(:, i) + [displacement, velocity]
-         if (.not. present(matrices)) cycle
-         do j = 1, size(directions)
-            call pivot_change(physics%effects, directions(j)%change%effects, times(i), displacement, velocity, &
-               acceleration)
-            matrices(:, j, i) = matrices(:, j, i) + [displacement, velocity]
-         end do
-      end do
    end subroutine integrated_states
-
-   !> As seen from the turning frame.
-   subroutine turn(physics, directions, times, states, matrices)
-      type(physics_type), intent(in) :: physics
-      type(direction_type), intent(in) :: directions(:)
-      real(wp), intent(in) :: times(:)
-      real(wp), intent(inout) :: states(:, :)
-      real(wp), intent(inout), optional :: matrices(:, :, :)
-      real(wp) :: c, s, seen(6), at(6)
-      integer :: i, j
-
-      do i = 1, size(times)
-         c = cos(physics%frame_rate*times(i))
-         s = sin(physics%frame_rate*times(i))
-         at = states(:, i)
-         states(:, i) = turned(at)
-         if (.not. present(matrices)) cycle
-         seen = states(:, i)
-         do j = 1, size(directions)
-            matrices(:, j, i) = turned(matrices(:, j, i)) + directions(j)%frame_rate*(times(i)*[seen(2), -seen(1), &
-               0.0_wp, seen(5), -seen(4), 0.0_wp] + [0.0_wp, 0.0_wp, 0.0_wp, seen(2), -seen(1), 0.0_wp])
-         end do
-      end do
-
-   contains
-
-      pure function turned(a) result(b)
-         real(wp), intent(in) :: a(6)
-         real(wp) :: b(6)
-
-         b = [c*a(1) + s*a(2), c*a(2) - s*a(1), a(3), c*a(4) + s*a(5), c*a(5) - s*a(4), a(6)]
-         b(4:5) = b(4:5) + physics%frame_rate*[b(2), -b(1)]
-      end function turned
-   end subroutine turn
 
 end module kyvadlo_fit_motion

@@ -3,18 +3,20 @@
 !> that the model is handed, so that the integration is not beneath everything here.
 module kyvadlo_fit_physics
    use kyvadlo_buoyancy, only: effective_gravity
-   use kyvadlo_effects, only: earth_turn_rate, effects_type
+   use kyvadlo_effects, only: earth_turn_rate, effects_type, has_moving_pivot
    use kyvadlo_force_changes, only: change_type
    use kyvadlo_forces, only: forces_type, move, new_forces
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_orbit_real64, only: new_orbit_from_release, orbit_type
+   use kyvadlo_pivot, only: pivot_change, pivot_motion
    use kyvadlo_scene_groups
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_status, only: error_type
    implicit none
    private
-   public :: physics_type, direction_type, states_procedure, effects_with, gravity_felt, tension_of, plane_of, moved, &
-      unit_period
+   public :: camera_type
+   public :: physics_type, direction_type, states_procedure, effects_with, gravity_felt, tension_of, plane_of, &
+      acceleration_of, is_seen_otherwise, show, moved, unit_period
 
    !> What determines a motion.
    type :: physics_type
@@ -26,6 +28,11 @@ module kyvadlo_fit_physics
       real(wp) :: tolerance = 1e-10_wp                   !! Of a step, where it is integrated
    end type physics_type
 
+   !> (u, v) = scale R(angle) (seen + offset).
+   type :: camera_type
+      real(wp) :: scale = 1, angle = 0, offset(2) = 0, time_offset = 0
+   end type camera_type
+
    !> A direction in which it changes.
    type :: direction_type
       type(change_type) :: change
@@ -33,7 +40,7 @@ module kyvadlo_fit_physics
    end type direction_type
 
    abstract interface
-      !> States at ascending times as the scene's frame shows them, and their derivatives along directions.
+      !> States at ascending times, relative to the pivot and in resting axes, and their derivatives along directions.
       subroutine states_procedure(physics, directions, times, states, failed, matrices)
          import :: direction_type, physics_type, wp
          type(physics_type), intent(in) :: physics
@@ -114,26 +121,85 @@ contains
          other%effects%hoist_rate = physics%effects%hoist_rate + step*change%effects%hoist_rate
          other%effects%density_ratio = physics%effects%density_ratio + step*change%effects%density_ratio
          other%effects%added_mass = physics%effects%added_mass + step*change%effects%added_mass
+         other%effects%pivot_amplitude = physics%effects%pivot_amplitude + step*change%effects%pivot_amplitude
+         other%effects%pivot_frequency = physics%effects%pivot_frequency + step*change%effects%pivot_frequency
+         other%effects%pivot_phase = physics%effects%pivot_phase + step*change%effects%pivot_phase
+         other%effects%extra_length = physics%effects%extra_length + step*change%effects%extra_length
+         other%frame_rate = physics%frame_rate + step*direction%frame_rate
       end associate
    end function moved
 
-   !> Tension per mass of the bob in a state [m/s2].
+   !> Acceleration relative to the pivot, and tension per mass of the bob, in a state [m/s2].
+   subroutine acceleration_of(physics, time, state, acceleration, tension)
+      type(physics_type), intent(in) :: physics
+      real(wp), intent(in) :: time, state(6)
+      real(wp), intent(out) :: acceleration(3), tension
+      type(forces_type) :: forces
+      type(error_type), allocatable :: error
+      real(wp) :: powers(2)
+
+      tension = 0
+      acceleration = 0
+      call new_forces(forces, physics%effects, physics%length, physics%gravity, error)
+      if (.not. allocated(error)) call move(forces, .true., time, state(1:3), state(4:6), acceleration, tension, powers)
+   end subroutine acceleration_of
+
    real(wp) function tension_of(physics, time, state) result(tension)
       type(physics_type), intent(in) :: physics
       real(wp), intent(in) :: time, state(6)
-      type(forces_type) :: forces
-      type(error_type), allocatable :: error
-      real(wp) :: acceleration(3), powers(2)
+      real(wp) :: acceleration(3)
 
-      tension = 0
-      call new_forces(forces, physics%effects, physics%length, physics%gravity, error)
-      if (.not. allocated(error)) call move(forces, .true., time, state(1:3), state(4:6), acceleration, tension, powers)
+      call acceleration_of(physics, time, state, acceleration, tension)
    end function tension_of
 
-   !> Azimuth of the line of apsides of the orbit that the state has under gravity alone, carried at its mean rate from
-   !> the turning point next to the state; modulo pi [rad].
-   real(wp) function plane_of(physics, state) result(plane)
+   !> Whether what is seen is not the state itself: from a turning frame, or with a moving pivot.
+   pure logical function is_seen_otherwise(physics, directions)
       type(physics_type), intent(in) :: physics
+      type(direction_type), intent(in) :: directions(:)
+
+      is_seen_otherwise = has_moving_pivot(physics%effects) .or. any(abs(physics%effects%pivot_amplitude) > 0) .or. &
+         abs(physics%frame_rate) > 0 .or. any(abs(directions%frame_rate) > 0)
+   end function is_seen_otherwise
+
+   !> A state and its derivatives as the laboratory, or the turning frame in it, sees them.
+   pure subroutine show(physics, directions, time, state, matrix)
+      type(physics_type), intent(in) :: physics
+      type(direction_type), intent(in) :: directions(:)
+      real(wp), intent(in) :: time
+      real(wp), intent(inout) :: state(6)
+      real(wp), intent(inout), optional :: matrix(:, :)   !! (6, p)
+      real(wp) :: c, s, displacement(3), velocity(3), acceleration(3)
+      integer :: j
+
+      call pivot_motion(physics%effects, time, displacement, velocity)
+      state = state + [displacement, velocity]
+      c = cos(physics%frame_rate*time)
+      s = sin(physics%frame_rate*time)
+      state = turned(state)
+      if (.not. present(matrix)) return
+      do j = 1, size(directions)
+         call pivot_change(physics%effects, directions(j)%change%effects, time, displacement, velocity, acceleration)
+         matrix(:, j) = turned(matrix(:, j) + [displacement, velocity]) + directions(j)%frame_rate* &
+            (time*[state(2), -state(1), 0.0_wp, state(5), -state(4), 0.0_wp] + [0.0_wp, 0.0_wp, 0.0_wp, state(2), &
+            -state(1), 0.0_wp])
+      end do
+
+   contains
+
+      pure function turned(a) result(b)
+         real(wp), intent(in) :: a(6)
+         real(wp) :: b(6)
+
+         b = [c*a(1) + s*a(2), c*a(2) - s*a(1), a(3), c*a(4) + s*a(5), c*a(5) - s*a(4), a(6)]
+         b(4:5) = b(4:5) + physics%frame_rate*[b(2), -b(1)]
+      end function turned
+   end subroutine show
+
+   !> Azimuth of the line of apsides of the orbit that the state has under gravity alone, carried at its mean rate from
+   !> the turning point next to the state; as the turning frame shows it; modulo pi [rad].
+   real(wp) function plane_of(physics, at, state) result(plane)
+      type(physics_type), intent(in) :: physics
+      real(wp), intent(in) :: at                           !! The time [s]
       real(wp), intent(in) :: state(6)
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
@@ -147,7 +213,7 @@ contains
       if (.not. (half <= huge(half) .and. time <= huge(time))) return
       if (orbit%rise(time + half) > orbit%rise(time)) time = time + half
       if (time > half) time = time - 2*half
-      plane = orbit%azimuth(time) - orbit%apsidal_rate()*time
+      plane = orbit%azimuth(time) - orbit%apsidal_rate()*time - physics%frame_rate*at
    end function plane_of
 
    !> Period to and fro with l = g = 1.

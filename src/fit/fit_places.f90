@@ -211,10 +211,11 @@ contains
       end do
    end subroutine effect_guesses
 
-   !> Starts from the data.
-   subroutine guess_places(model, request, places, count)
+   !> Starts from the data, at levels that cost more and more: those of `find_guesses`.
+   subroutine guess_places(model, request, level, places, count)
       type(model_type), intent(in) :: model
       type(fit_request_type), intent(in) :: request
+      integer, intent(in) :: level
       type(place_type), intent(out) :: places(:)
       integer, intent(out) :: count
       type(view_type) :: view
@@ -222,9 +223,10 @@ contains
       integer :: i
 
       count = 0
-      call look(model, request, view)
+      ! Cubics go through short pieces of many rows; the grid compares each of its shapes with all rows.
+      call look(model, request, merge(600, 110, level == 1), view)
       if (model%motion%has_state .and. size(view%times) >= 4 .and. any(view%has)) then
-         call find_guesses(view, guesses, count)
+         call find_guesses(view, level, guesses, count)
          do i = 1, count
             places(i)%number = request%number
             associate (guess => guesses(i), number => places(i)%number)
@@ -242,7 +244,7 @@ contains
             call effect_guesses(request, places(i)%number)
          end do
       end if
-      if (count == 0) call guess_by_periods(model, request, view, places, count)
+      if (count == 0 .and. level == 2) call guess_by_periods(model, request, view, places, count)
 
    contains
 
@@ -263,14 +265,14 @@ contains
    end function is_free
 
    !> The first ten periods or so, thinned out, as the guesses take them.
-   subroutine look(model, request, view)
+   subroutine look(model, request, most_rows, view)
       type(model_type), intent(in) :: model
       type(fit_request_type), intent(in) :: request
+      integer, intent(in) :: most_rows
       type(view_type), intent(out) :: view
       integer, allocatable :: rows(:)
       real(wp), allocatable :: table(:, :), times(:)
       integer :: i, j, n, last, crossings, column(3), step, most, best
-      integer, parameter :: most_rows = 110
       real(wp) :: mean
       logical :: has(columns)
 

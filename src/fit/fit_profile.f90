@@ -5,7 +5,7 @@ module kyvadlo_fit_profile
    use kyvadlo_fit_physics, only: physics_type
    use kyvadlo_fit_unknowns, only: physics_at
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_least_squares, only: minimise, minimum_type
+   use kyvadlo_least_squares, only: minimise, minimum_type, polish
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_scene_groups, only: settings
    implicit none
@@ -61,6 +61,7 @@ contains
          pulled%target = best + side*distance
          y = x
          call minimise(pulled, y, minimum, 1e-9_wp, 100)
+         if (minimum%is_found) call polish(pulled, y, minimum, 30)
          failed = .not. minimum%is_found
          if (.not. failed) call look(y, squares, ends, failed)
          if (failed) then

@@ -29,7 +29,7 @@ module kyvadlo_fit_request
       logical :: is_given = .false.                   !! The scene has a guess
       real(wp) :: least = -huge(1.0_wp), most = huge(1.0_wp)
       real(wp) :: prior = 0, prior_sigma = 0          !! prior_sigma 0: none
-      logical :: has_prior = .false.                  !! prior is given
+      logical :: has_prior = .false.                  !! A value was given
    end type free_type
 
    type :: fit_request_type
@@ -165,7 +165,7 @@ contains
          among_all = 0
          do i = 1, size(settings)
             if (settings(i)%name /= free%name .or. any(settings(i)%group == [pendulum_group, output_group, &
-               fit_group, event_group])) &
+               fit_group])) &
                cycle
             stands = any_named(groups, group_names(settings(i)%group))
             among_all = among_all + 1
@@ -187,7 +187,7 @@ contains
       end if
       if (found > 0) then
          if (any(settings(found)%rule == [rule_text, rule_truth, rule_count]) .or. &
-            any(settings(found)%group == [output_group, fit_group, event_group])) found = 0
+            any(settings(found)%group == [output_group, fit_group])) found = 0
       end if
       if (found == 0) then
          call refuse(error, fit, line, 'free: no setting is named '//shown(trim(free%name))// &
@@ -341,13 +341,14 @@ contains
       rest%entries = group%entries(pack([(i, i=1, size(keep))], keep))
       call read_group(rest, fit_group, values, error)
       do k = 1, size(request%free)
-         if (.not. allocated(error) .and. .not. request%free(k)%least < request%free(k)%most) call refuse(error, &
-            group, &
-            group%line, 'least_'//trim(settings(request%free(k)%setting)%name)//' must be below most_'// &
-            trim(settings(request%free(k)%setting)%name))
-         if (.not. allocated(error) .and. (request%free(k)%has_prior .neqv. request%free(k)%prior_sigma > 0)) &
-            call refuse(error, group, group%line, 'prior_'//trim(settings(request%free(k)%setting)%name)// &
-            ' and prior_sigma_'//trim(settings(request%free(k)%setting)%name)//' go together')
+         if (allocated(error)) return
+         name = trim(settings(request%free(k)%setting)%name)
+         associate (free => request%free(k))
+            if (.not. free%least < free%most) call refuse(error, group, group%line, &
+               'least_'//name//' must be below most_'//name)
+            if (.not. allocated(error) .and. (free%has_prior .neqv. free%prior_sigma > 0)) call refuse(error, group, &
+               group%line, 'prior_'//name//' and prior_sigma_'//name//' go together')
+         end associate
       end do
    end subroutine read_fit_group
 

@@ -9,7 +9,7 @@ module kyvadlo_fit_search
    use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_fit_unknowns, only: form_logarithm, numbers_at, physics_at, place_at, unknowns_type
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_least_squares, only: minimise, minimum_type
+   use kyvadlo_least_squares, only: minimise, minimum_type, polish
    use kyvadlo_scene_groups
    implicit none
    private
@@ -18,9 +18,10 @@ module kyvadlo_fit_search
 contains
 
    !> The best minimum of all the data. x is around `model%motion`.
-   subroutine search(model, request, x, best, others)
+   subroutine search(model, request, has_sigmas, x, best, others)
       type(model_type), intent(inout) :: model
       type(fit_request_type), intent(in) :: request
+      logical, intent(in) :: has_sigmas                      !! Else they are yet to be estimated
       real(wp), allocatable, intent(out) :: x(:)
       type(minimum_type), intent(out) :: best
       real(wp), allocatable, intent(out) :: others(:, :, :)  !! Numbers of other minima that were found
@@ -32,7 +33,7 @@ contains
       allocate (x(size(model%motion%of)))
       n_kept = 0
       best%squares = huge(1.0_wp)
-      do steps = 1, 2
+      do steps = 1, 4
          if (steps == 1) then
             ! The scene's own numbers first, where it has them all.
             if (.not. all(request%free%is_given .or. settings(request%free%setting)%group /= pendulum_group)) cycle
@@ -41,7 +42,7 @@ contains
             places(1)%number = request%number
             call effect_guesses(request, places(1)%number)
          else
-            call guess_places(model, request, places, count)
+            call guess_places(model, request, steps - 1, places, count)
          end if
          done = 0
          do while (done < count)
@@ -61,7 +62,7 @@ contains
          end do
          if (is_done()) exit
       end do
-      if (n_kept > 0 .and. .not. is_done()) then
+      if (n_kept > 0 .and. .not. (has_sigmas .and. is_done())) then
          ! The other sense of rotation, which a narrow ellipse hides at first.
          i = minloc(kept(:n_kept)%squares, 1)
          places(1) = kept(i)
@@ -106,12 +107,17 @@ contains
          if (minimum%squares < best%squares) best = minimum
       end subroutine try
 
-      !> As good as its sigmas say, to three deviations of chi2.
+      !> As good as its sigmas say, to three deviations of chi2; or three starts led to it.
       logical function is_done()
          real(wp) :: free
+         integer :: k, alike
 
+         alike = 0
+         do k = 1, n_kept
+            if (kept(k)%squares < best%squares*(1 + 1e-6_wp) + 1e-3_wp) alike = alike + 1
+         end do
          free = max(1, size(model%all) - size(x))
-         is_done = best%is_found .and. best%squares < free + 3*sqrt(2*free)
+         is_done = best%is_found .and. (best%squares < free + 3*sqrt(2*free) .or. alike >= 3)
       end function is_done
    end subroutine search
 
@@ -202,7 +208,8 @@ contains
          else
             call use_until(model, until, max(1, rows/max(most_rows, 12*size(x))))
          end if
-         call place_at(model%motion, x, away=.true.)
+         ! What a coefficient does in a window is to be small where it begins.
+         call place_at(model%motion, x, away=min(1.0_wp, 2.5_wp*period/max(until - first, tiny(1.0_wp))))
          model%motion%is_exact = was_exact .or. stage == 1
          call set_tolerance(model, is_last)
          if (.not. is_last) then
@@ -211,17 +218,12 @@ contains
             model%pull_to = x
             model%residuals = model%residuals + size(x)
          end if
-         if (is_last .and. stage == 2 .and. size(model%used) > 3000) then
-            ! Nearly there by one row in some; what is left is a step or two.
-            call use_until(model, huge(1.0_wp), max(1, size(model%used)/1500))
-            call minimise(model, x, minimum, 1e-6_wp, 30)
-            if (minimum%squares < huge(1.0_wp)) then
-               call rebase(model, x)
-            end if
-            call use_until(model, huge(1.0_wp), 1)
+         if (is_last) then
+            call finish(model, x, minimum)
+         else
+            call minimise(model, x, minimum, 1e-4_wp, 40)
+            deallocate (model%pull, model%pull_to)
          end if
-         call minimise(model, x, minimum, merge(1e-7_wp, 1e-4_wp, is_last), merge(100, 40, is_last))
-         if (.not. is_last) deallocate (model%pull, model%pull_to)
          model%motion%is_exact = was_exact
          if (.not. minimum%squares < huge(1.0_wp)) return
          call numbers_of_start(model%motion, x, number, rates)
@@ -231,6 +233,29 @@ contains
          until = first + growth*(until - first)
       end do
    end subroutine follow
+
+   !> To the minimum of all data. What shorter times and fewer rows tell is near: a few of Gauss's steps; else the
+   !> trust region first.
+   subroutine finish(model, x, minimum)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(inout) :: x(:)
+      type(minimum_type), intent(out) :: minimum
+      real(wp) :: begun(size(x))
+      integer, parameter :: few_steps = 4, most_steps = 30, many = 3000, thin = 1500
+
+      begun = x
+      if (size(model%used) > many) then
+         call use_until(model, huge(1.0_wp), size(model%used)/thin)
+         call minimise(model, x, minimum, 1e-6_wp, 30)
+         if (.not. minimum%squares < huge(1.0_wp)) x = begun
+         call use_until(model, huge(1.0_wp), 1)
+      end if
+      call polish(model, x, minimum, few_steps)
+      if (minimum%is_found) return
+      if (.not. minimum%squares < huge(1.0_wp)) x = begun
+      call minimise(model, x, minimum, 1e-7_wp, 100)
+      if (minimum%is_found) call polish(model, x, minimum, most_steps)
+   end subroutine finish
 
    !> Coordinates around where x is now.
    subroutine rebase(model, x)
@@ -261,6 +286,7 @@ contains
       real(wp) :: part
       integer :: i
 
+      if (model%motion%is_exact) return
       part = 1
       do i = 1, size(model%all)
          associate (one => model%all(i))
@@ -284,7 +310,7 @@ contains
 
       call use_until(model, huge(1.0_wp), 1)
       call set_tolerance(model, .true.)
-      call minimise(model, x, minimum, 1e-7_wp, 100)
+      call finish(model, x, minimum)
       if (minimum%squares < huge(1.0_wp)) call rebase(model, x)
    end subroutine minimise_all
 

@@ -1,7 +1,7 @@
 !> The unknowns of a fit: how numbers without bounds stand for the free settings, and what follows from them.
 module kyvadlo_fit_unknowns
    use kyvadlo_effects, only: effects_type
-   use kyvadlo_fit_physics, only: direction_type, effects_with, gravity_felt, physics_type
+   use kyvadlo_fit_physics, only: camera_type, direction_type, effects_with, gravity_felt, physics_type
    use kyvadlo_force_changes, only: change_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_orbit_real64, only: orbit_type
@@ -12,8 +12,8 @@ module kyvadlo_fit_unknowns
       suspension_change_type, suspension_type
    implicit none
    private
-   public :: unknown_type, unknowns_type, physics_at, camera_type, camera_at, numbers_at, place_at, &
-      natural_scales, setting_rows
+   public :: unknown_type, unknowns_type, physics_at, camera_at, numbers_at, place_at, &
+      natural_scales, outward_slopes, setting_rows
    public :: unknown_scalar, unknown_position, unknown_velocity
    public :: form_plain, form_logarithm, form_above, form_below, form_between
 
@@ -42,11 +42,6 @@ module kyvadlo_fit_unknowns
       real(wp) :: tolerance = 1e-10_wp
       integer :: start = 0, start_values = 0
    end type unknowns_type
-
-   !> (u, v) = scale R(angle) (seen + offset).
-   type :: camera_type
-      real(wp) :: scale = 1, angle = 0, offset(2) = 0, time_offset = 0
-   end type camera_type
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
@@ -95,7 +90,8 @@ contains
    subroutine place_at(unknowns, x, away)
       type(unknowns_type), intent(inout) :: unknowns
       real(wp), intent(out) :: x(:)
-      logical, intent(in), optional :: away   !! A search begins a little away from bounds, where nothing has a slope
+      !> A search begins a little away from bounds, where nothing has a slope: by this part of the most
+      real(wp), intent(in), optional :: away
       real(wp) :: p(3), v(3), e(3), scales(size(x)), value, off
       type(physics_type) :: physics
       integer :: j, place
@@ -125,7 +121,7 @@ contains
       physics%gravity = unknowns%number(1, setting_place(pendulum_group, 'gravity'))
       physics%velocity = 0
       off = 0
-      if (present(away)) off = merge(1.0_wp, 0.0_wp, away)
+      if (present(away)) off = away
       call natural_scales(unknowns, physics, scales)
       do j = 1, size(unknowns%of)
          associate (one => unknowns%of(j))
@@ -195,6 +191,33 @@ contains
          end associate
       end do
    end subroutine numbers_at
+
+   !> Of unknowns whose numbers stand at a bound, but for 1e-7 of their natural size: the sign of the slope of what
+   !> grows towards the inside.
+   pure function outward_slopes(unknowns, x) result(slopes)
+      type(unknowns_type), intent(in) :: unknowns
+      real(wp), intent(in) :: x(:)
+      real(wp) :: slopes(size(x))
+      real(wp), parameter :: close = 3e-4_wp           !! Its square is part of a natural size
+      real(wp) :: value, rate
+      integer :: j
+
+      slopes = 0
+      do j = 1, size(x)
+         associate (one => unknowns%of(j))
+            if (one%kind /= unknown_scalar) cycle
+            call value_of(one, x(j), value, rate)
+            select case (one%form)
+            case (form_above)
+               if (abs(x(j)) < close) slopes(j) = sign(1.0_wp, rate)
+            case (form_below)
+               if (abs(x(j)) < close) slopes(j) = sign(1.0_wp, -rate)
+            case (form_between)
+               if (abs(cos(x(j))) < close) slopes(j) = sign(1.0_wp, -rate*sin(x(j)))
+            end select
+         end associate
+      end do
+   end function outward_slopes
 
    pure subroutine camera_at(unknowns, number, camera)
       type(unknowns_type), intent(in) :: unknowns

@@ -5,11 +5,14 @@ module kyvadlo_least_squares
    use kyvadlo_lapack, only: dgesvd
    implicit none
    private
-   public :: least_squares_type, minimise, minimum_type
+   public :: least_squares_type, minimise, minimum_type, polish, triangle_of
 
    !> Residuals as functions of unknowns.
    type, abstract :: least_squares_type
       integer :: residuals = 0, unknowns = 0
+      !> Of unknowns that stand at a bound of what they mean: the sign of a slope that pushes them against it;
+      !> 0 of others. Set with the derivatives.
+      real(wp), allocatable :: outward(:)
    contains
       procedure(evaluate_problem), deferred :: evaluate
    end type least_squares_type
@@ -61,7 +64,7 @@ module kyvadlo_least_squares
 
 contains
 
-   !> Moves x to the minimum next to it.
+   !> Moves x to the minimum next to it, to a tolerance; `polish` says whether it is one.
    subroutine minimise(problem, x, minimum, tolerance, most)
       class(least_squares_type), intent(inout), target :: problem
       real(wp), intent(inout) :: x(:)
@@ -72,7 +75,6 @@ contains
       real(wp) :: f(problem%residuals), before(size(x))
       integer(c_int) :: status, iterations, info
       logical :: failed
-      integer, parameter :: many = 3000                     !! Residuals from which on the normal equations pay
 
       before = x
       call problem%evaluate(x, f, failed)
@@ -81,7 +83,7 @@ contains
       status = gsl_least_squares(int(problem%residuals, c_size_t), int(size(x), c_size_t), x, &
          c_funloc(give_residuals), &
          c_funloc(give_jacobian), c_loc(holder), int(most, c_int), tolerance, 1e-10_wp, 1e-14_wp, &
-         merge(1_c_int, 0_c_int, problem%residuals > many), 1_c_int, iterations, info)
+         0_c_int, 1_c_int, iterations, info)
       minimum%iterations = int(iterations)
       call problem%evaluate(x, f, failed)
       if (failed .or. .not. sum(f**2) <= huge(1.0_wp)) then
@@ -89,17 +91,17 @@ contains
          return
       end if
       minimum%squares = sum(f**2)
-      if (status /= 0 .and. status /= status_no_progress .and. status /= status_most) return
-      call polish(problem, x, minimum)
+      minimum%is_found = status == 0 .or. status == status_no_progress .or. status == status_most
    end subroutine minimise
 
    !> Gauss's steps by singular values from where the trust region ended: in a long valley its tests are met early. A
    !> minimum is where such a step would lower the sum by less than a thousandth of a squared sigma.
-   subroutine polish(problem, x, minimum)
+   subroutine polish(problem, x, minimum, most_steps)
       class(least_squares_type), intent(inout) :: problem
       real(wp), intent(inout) :: x(:)
       type(minimum_type), intent(inout) :: minimum
-      integer, parameter :: most_steps = 30, most_halves = 12
+      integer, intent(in) :: most_steps
+      integer, parameter :: most_halves = 12
       real(wp), parameter :: small = 1e-3_wp, tiny_part = 1e-9_wp
       real(wp), allocatable :: jacobian(:, :), f(:)
       real(wp) :: normal(size(x), size(x)), s(size(x)), u(1, 1), vt(size(x), size(x)), work(20*size(x)), g(size(x))
@@ -108,6 +110,8 @@ contains
       logical :: failed
 
       p = size(x)
+      minimum%is_found = .false.
+      if (problem%residuals < p) return
       allocate (jacobian(p, problem%residuals), f(problem%residuals))
       do i = 1, most_steps
          call problem%evaluate(x, f, failed, jacobian)
@@ -116,12 +120,21 @@ contains
          before = sum(f**2)
          minimum%squares = before
          ! Normal equations of columns of length 1; what they cannot tell apart the sigmas call a valley.
+         call normal_equations(jacobian, f, normal, g)
          do k = 1, p
-            scale(k) = max(norm2(jacobian(k, :)), tiny(1.0_wp)**0.25_wp)
+            scale(k) = max(sqrt(normal(k, k)), tiny(1.0_wp)**0.25_wp)
          end do
-         jacobian = jacobian/spread(scale, 2, problem%residuals)
-         normal = matmul(jacobian, transpose(jacobian))
-         g = matmul(jacobian, f)
+         if (allocated(problem%outward)) then
+            ! Where the sum falls only beyond a bound, the minimum is at the bound.
+            do k = 1, p
+               if (.not. (abs(problem%outward(k)) > 0 .and. g(k)*problem%outward(k) >= 0)) cycle
+               g(k) = 0
+               normal(k, :) = 0
+               normal(:, k) = 0
+            end do
+         end if
+         g = g/scale
+         normal = normal/(spread(scale, 1, p)*spread(scale, 2, p))
          call dgesvd('N', 'A', p, p, normal, p, s, u, 1, vt, p, work, size(work), info)
          if (info /= 0) return
          g = matmul(vt, g)
@@ -151,6 +164,54 @@ contains
          if (before - squares < 1e-12_wp*before) return
       end do
    end subroutine polish
+
+   pure subroutine normal_equations(jacobian, f, normal, g)
+      real(wp), intent(in) :: jacobian(:, :), f(:)
+      real(wp), intent(out) :: normal(:, :), g(:)
+      integer :: i, j
+
+      normal = 0
+      g = 0
+      do i = 1, size(f)
+         do j = 1, size(g)
+            normal(j:, j) = normal(j:, j) + jacobian(j, i)*jacobian(j:, i)
+         end do
+         g = g + f(i)*jacobian(:, i)
+      end do
+      do j = 2, size(g)
+         normal(:j - 1, j) = normal(j, :j - 1)
+      end do
+   end subroutine normal_equations
+
+   !> R of Q R = J, p by p, by Householder's reflections of a block of rows at a time: it keeps digits that the normal
+   !> equations lose.
+   pure subroutine triangle_of(jacobian, triangle)
+      real(wp), intent(in) :: jacobian(:, :)                !! (p, rows): J, transposed
+      real(wp), intent(out) :: triangle(:, :)               !! (p, p)
+      integer, parameter :: block = 128
+      real(wp) :: a(block, size(jacobian, 1)), top, length, part
+      integer :: first, i, j, k, n, p
+
+      p = size(jacobian, 1)
+      triangle = 0
+      do first = 1, size(jacobian, 2), block
+         n = min(block, size(jacobian, 2) - first + 1)
+         do i = 1, n
+            a(i, :) = jacobian(:, first + i - 1)
+         end do
+         do k = 1, p
+            length = norm2([triangle(k, k), norm2(a(:n, k))])
+            if (.not. length > 0) cycle
+            top = triangle(k, k) + sign(length, triangle(k, k))
+            triangle(k, k) = -sign(length, triangle(k, k))
+            do j = k + 1, p
+               part = (top*triangle(k, j) + dot_product(a(:n, k), a(:n, j)))/(length*abs(top))
+               triangle(k, j) = triangle(k, j) - part*top
+               a(:n, j) = a(:n, j) - part*a(:n, k)
+            end do
+         end do
+      end do
+   end subroutine triangle_of
 
    function give_residuals(x, f, params) bind(c, name='') result(status)
       type(c_ptr), value :: x, f, params

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Fits of what `simulate` shows of scenes with effects, with a little noise added: every number within 5 sigmas of the scene's.
+#
+#   effects.sh KYVADLO
+set -u
+kyvadlo=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+bad=0
+complain() { echo "$*"; bad=$((bad + 1)); }
+
+# data SCENE SAMPLES QUANTITIES AWK: a table, made by a program of awk from the columns of simulate; n() is noise of size 1.
+data() {
+   printf "$1 &output duration=$2 quantities='$3' /\n" | "$kyvadlo" simulate - >"$scratch/raw.csv" || complain "no data: $1"
+   awk -F, 'function n() { k++; return 1.4142*sin(k*k*1.7 + 0.3*k) } '"$4" "$scratch/raw.csv" >"$scratch/data.csv"
+}
+# fit NAME SCENE NUMBER=VALUE...
+fit() {
+   name=$1
+   printf "$2" >"$scratch/scene.nml"
+   shift 2
+   "$kyvadlo" fit "$scratch/scene.nml" "$scratch/data.csv" --format csv >"$scratch/out" 2>"$scratch/error" ||
+      complain "$name: status $?: $(cat "$scratch/error")"
+   for pair in "$@"; do
+      awk -F, -v name="${pair%=*}" -v true="${pair#*=}" -v of="$name" '
+         $1 == name { seen = 1; pull = ($2 - true)/$3; if (!(pull*pull < 25 && $3 > 0)) { print of ": " $0 ": " pull " sigmas off"; exit 1 } }
+         END { if (!seen) { print of ": no " name; exit 1 } }' "$scratch/out" || bad=$((bad + 1))
+   done
+}
+
+# A camera whose settings have bounds.
+data '&pendulum length=1.2 position=0.576,0.432,-0.96 velocity=-0.6,0.8,0 /' '20 samples=401' 'position' \
+   'NR == 1 { print "t,u,v"; next } { a = $2 + 0.3; b = $4 + 0.7; printf "%s,%.6f,%.6f\n", $1, 200*(a*cos(0.1) - b*sin(0.1)) + 0.2*n(), 200*(a*sin(0.1) + b*cos(0.1)) + 0.2*n() }'
+fit 'camera' "&pendulum gravity=9.80665 /\n&camera view='xz' /\n&fit free='length position velocity scale angle offset' sigma=0.2 /\n" \
+   length=1.2 scale=200 angle=5.729578 offset1=0.3
+fit 'bounded camera' "&pendulum gravity=9.80665 /\n&camera view='xz' /\n&fit free='length position velocity scale angle offset' sigma=0.2 least_scale=20 most_scale=900 least_angle=-40 most_angle=30 /\n" \
+   length=1.2 scale=200 angle=5.729578 offset1=0.3
+
+# Events before t = 0: highest points of a swing of 30 degrees, whose period is 1.0174087975... small ones.
+awk 'BEGIN { print "turning_time"; for (i = -5; i <= 6; i++) printf "%.9f\n", i*1.01740879759*3.14159265359*sqrt(0.5/9.81) + 1e-5*sin(i*i) }' >"$scratch/data.csv"
+fit 'events before t = 0' "&pendulum length=0.5 release_angle=30 /\n&fit free='gravity' sigma=1e-5 /\n" gravity=9.81
+
+# Forces act relative to the pivot and in resting axes; what is seen is not.
+pivot="&moving_pivot amplitude=0.02,0,0.01 frequency=0.9,0,1.7 phase=30,0,0 /"
+data "&pendulum length=1 release_angle=35 / $pivot" '20 samples=401' 'tension' \
+   'NR == 1 { print "t,tension"; next } { printf "%s,%.6f\n", $1, $2 + 0.01*n() }'
+fit 'tension with a moving pivot' "&pendulum length=1.01 release_angle=35 /\n&moving_pivot amplitude=0.021,0,0.011 frequency=0.9,0,1.7 phase=30,0,0 /\n&fit free='length gravity amplitude' sigma=0.01 /\n" \
+   length=1 gravity=9.80665 amplitude1=0.02 amplitude3=0.01
+data "&pendulum length=1 position=0.48,0.36,-0.8 velocity=-0.3,0.4,0 / &turning_frame rate=0.3 /" '20 samples=401' 'position tension' \
+   'NR == 1 { print "t,x,tension"; next } { printf "%s,%.6f,%.6f\n", $1, $2 + 0.001*n(), $5 + 0.01*n() }'
+fit 'tension from a turning frame' "&pendulum length=1.01 position=0.48,0.36,-0.8 velocity=-0.3,0.4,0 /\n&turning_frame rate=0.31 /\n&fit free='length gravity position velocity turning_frame.rate' sigma_x=0.001 sigma_tension=0.01 /\n" \
+   length=1 gravity=9.80665 turning_frame.rate=0.3
+data "&pendulum length=1 position=0.6,0,-0.8 velocity=0,0.02,0 / &turning_frame rate=0.3 /" '20 samples=401' 'plane' \
+   'NR == 1 { print "t,plane"; next } { printf "%s,%.6f\n", $1, $2 + 0.001*n() }'
+fit 'plane from a turning frame' "&pendulum length=1 position=0.6,0,-0.8 velocity=0,0.02,0 /\n&turning_frame rate=0.31 /\n&fit free='turning_frame.rate' sigma=0.001 /\n" turning_frame.rate=0.3
+exit $((bad > 0))
