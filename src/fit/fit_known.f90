@@ -1,6 +1,6 @@
 !> Of numbers that data do not tell, what they tell of them together.
 module kyvadlo_fit_known
-   use kyvadlo_fit_result, only: element_name, fit_result_type
+   use kyvadlo_fit_result, only: digits_by, element_name, fit_result_type, sigma_digits
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text
    use kyvadlo_scene_groups, only: pendulum_group, setting_place, settings
@@ -120,9 +120,11 @@ contains
       subroutine say(what, value, along)
          character(len=*), intent(in) :: what
          real(wp), intent(in) :: value, along(:)
+         real(wp) :: sigma
 
-         result%known = result%known//what//' = '//digits_text(value, 7)//' +- '// &
-            digits_text(sqrt(sum((along/s)**2, .not. is_out)), 3)//'; '
+         sigma = sqrt(sum((along/s)**2, .not. is_out))
+         result%known = result%known//what//' = '//digits_text(value, digits_by(value, sigma))//' +- '// &
+            digits_text(sigma, sigma_digits)//'; '
       end subroutine say
    end subroutine say_known
 

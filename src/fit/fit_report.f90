@@ -14,7 +14,6 @@ module kyvadlo_fit_report
    public :: write_fit_text, write_fit_csv, write_residuals
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
-   integer, parameter :: sigma_digits = 3
 
 contains
 
@@ -139,16 +138,6 @@ contains
          end do
       end do
    end subroutine put_correlations
-
-   !> So many that the last is of the place of the last digit of sigma.
-   pure integer function digits_by(value, sigma) result(digits)
-      real(wp), intent(in) :: value, sigma
-
-      digits = 7
-      if (.not. (is_finite(value) .and. is_finite(sigma))) return   ! A NaN is not even compared: that may trap.
-      if (.not. (sigma > 0 .and. abs(value) > 0)) return
-      digits = max(1, min(15, floor(log10(abs(value))) - floor(log10(sigma)) + sigma_digits))
-   end function digits_by
 
    pure integer function known_length(value, digits, without) result(length)
       real(wp), intent(in) :: value

@@ -4,11 +4,13 @@ module kyvadlo_fit_result
    use kyvadlo_fit_model, only: model_type
    use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_scene_groups, only: settings
    use kyvadlo_text, only: integer_text, text_type
    implicit none
    private
-   public :: fit_result_type, fitted_type, element_name, correlation, rms, rms_in_sigmas, mean_in_sigmas
+   public :: fit_result_type, fitted_type, element_name, correlation, rms, rms_in_sigmas, mean_in_sigmas, &
+      digits_by, sigma_digits
 
    !> A free setting, found.
    type :: fitted_type
@@ -37,6 +39,9 @@ module kyvadlo_fit_result
    end type fit_result_type
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
+
+   !> Figures of a sigma.
+   integer, parameter :: sigma_digits = 3
 
 contains
 
@@ -96,5 +101,15 @@ contains
          mean = sum(result%residual, all%column == column)/max(1, count(all%column == column))
       end associate
    end function mean_in_sigmas
+
+   !> So many that the last is of the place of the last digit of sigma.
+   pure integer function digits_by(value, sigma) result(digits)
+      real(wp), intent(in) :: value, sigma
+
+      digits = 7
+      if (.not. (is_finite(value) .and. is_finite(sigma))) return   ! A NaN is not even compared: that may trap.
+      if (.not. (sigma > 0 .and. abs(value) > 0)) return
+      digits = max(1, min(15, floor(log10(abs(value))) - floor(log10(sigma)) + sigma_digits))
+   end function digits_by
 
 end module kyvadlo_fit_result

@@ -82,7 +82,7 @@ contains
       m = size(curve%terms, 1)
       degree = ubound(curve%terms, 2)
       n = size(curve%terms, 3)
-      integral%times = curve%times
+      allocate (integral%times, source=curve%times)
       allocate (integral%terms(m, 0:degree + 1, n))
       integral%terms = 0
       do k = 1, n

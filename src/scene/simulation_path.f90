@@ -368,7 +368,7 @@ contains
 
       if (accuracy < accuracy_finest_quad) then
          call fail(error, code_input, 'option --accuracy must be at least '// &
-            trim(digits_text(accuracy_finest_quad, 2)) //' for a scene in closed form, got '//digits_text(accuracy, 2))
+            trim(digits_text(accuracy_finest_quad, 2)) //' for a scene in closed form, got '//shortest_text(accuracy))
          return
       end if
       allocate (path%plan)
@@ -381,9 +381,9 @@ contains
          call fail(error, code_unsupported, '')
       if (allocated(error)) then
          error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))// &
-            '&output: over ' //trim(digits_text(path%duration, 6))//' s '
+            '&output: over '//shortest_text(path%duration)//' s '
          if (is_asked) then
-            error%message = error%message//'an accuracy of '//trim(digits_text(accuracy, 2)) &
+            error%message = error%message//'an accuracy of '//shortest_text(accuracy) &
                //' cannot be kept: rounding alone loses the phase by more; shorten duration'
          else
             error%message = error%message// &

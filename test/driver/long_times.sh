@@ -79,7 +79,7 @@ done
 sed 's/6e15/1e30/' phase.nml >fluid_later.nml
 echo '&buoyancy density_ratio=0.1 /' >>fluid_later.nml
 fails 2 'can tell the phase of the motion' simulate fluid_later.nml
-fails 2 'an accuracy of 1.0e-12 cannot be kept' simulate fluid_later.nml --accuracy 1e-12
+fails 2 'an accuracy of 1e-12 cannot be kept' simulate fluid_later.nml --accuracy 1e-12
 
 # Below 1e-16 the figures that are kept are written: l = g = 1 from 90 degrees.
 cat >figures.nml <<'END'

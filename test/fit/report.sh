@@ -72,6 +72,21 @@ grep -q '68.27 % of 20 fits, seed 7' "$scratch/out" || complain "the seed is not
 grep -q '"gravity": {"value": [^ ]*, "sigma": [^ ]*, "least": [^ ]*, "most": [^ ]*}' "$scratch/json" || complain 'no interval in JSON'
 grep -q '"intervals": "bootstrap of the rows, 68.27 % of 20 fits, seed 1"' "$scratch/json" || complain 'intervals are not said in JSON'
 
+# Next to a bound, a quadratic drag of none, intervals end at the bound, and beside it where they should.
+start='length=1 gravity=9.81 release_angle=40 release_speed=0.5'
+echo "&pendulum $start / &air linear=0.03 / &output duration=8 samples=100 quantities='position' /" |
+   "$kyvadlo" simulate - | awk -F, -v OFS=, 'function normal() { return 0.003*sqrt(-2*log(1 - rand()))*cos(6.283185307179586*rand()) }
+      NR == 1 { srand(2); print "t,x,y,z"; next } { print $1, $2 + normal(), $3 + normal(), $4 + normal() }' >"$scratch/drag.csv"
+echo "&pendulum $start / &air linear=0.03 quadratic=0.001 / &fit free='linear quadratic' sigma=0.003 /" >"$scratch/drag.nml"
+for intervals in --profile '--bootstrap 60'; do
+   # shellcheck disable=SC2086    # an option and its value
+   "$kyvadlo" fit "$scratch/drag.nml" "$scratch/drag.csv" --format csv $intervals >"$scratch/drag" || complain "bound: status $?"
+   awk -F, '$1 == "quadratic" { q = $4 >= 0 && $4 <= $2 && $5 >= $2 && $5 - $2 < 3*$3 }
+      $1 == "linear" { l = $4 < $2 && $5 > $2 && $5 - $4 < 2.5*$3 } END { exit !(q && l) }' "$scratch/drag" ||
+      complain "bound, $intervals: $(cat "$scratch/drag")"
+done
+"$kyvadlo" fit "$scratch/drag.nml" "$scratch/drag.csv" --bootstrap 60 | grep -q 'of 60 fits, seed 1$' || complain 'bound: copies without a minimum'
+
 # The fitted scene runs, whatever is free: names with quotation marks, position alone (the velocity is the scene's, at right angles to
 # it), length alone (the bob stays on its sphere).
 for free in 'gravity position velocity linear' position velocity length gravity; do
@@ -112,6 +127,12 @@ sed "s/'length latitude/'extra_length_x extra_length_y length latitude/" $exampl
 grep -q '^The data do not tell: extra_length_x/extra_length_y/length$' "$scratch/out" || complain "support: $(grep tell "$scratch/out")"
 same 'length and extra length' "$(sed -n 's/^They tell: extra_length_x + length = \([^ ]*\) .*/\1/p' "$scratch/out")" 67 3e-4
 grep -q '^They tell: extra_length_x - extra_length_y = ' "$scratch/out" || complain "support: $(grep tell "$scratch/out")"
+
+# A wind upwards that is dragged along by linear*wind is gravity: both are unknown and both are named.
+echo "&pendulum $start / &air linear=0.03 / &wind / &fit free='gravity wind.velocity' sigma=0.003 /" >"$scratch/wind.nml"
+"$kyvadlo" fit "$scratch/wind.nml" "$scratch/drag.csv" >"$scratch/out" || complain "wind: status $?"
+grep -q '^The data do not tell: gravity/wind.velocity$' "$scratch/out" || complain "wind: $(grep tell "$scratch/out")"
+grep -q '^They tell: gravity - 0.03000\*wind.velocity(3) = 9.8' "$scratch/out" || complain "wind: $(grep tell "$scratch/out")"
 
 # What a fit would do is said before it, on standard error.
 "$kyvadlo" fit $examples/laboratory.nml $examples/laboratory.csv --explain >"$scratch/out" 2>"$scratch/error" || complain "explain: status $?"
