@@ -41,7 +41,7 @@ contains
       integer, intent(out) :: count
       real(wp) :: span, step, best, previous, top, mean(size(columns, 2)), total
       real(wp), allocatable :: power(:), d(:, :), c(:), s(:), dc(:), ds(:)
-      real(wp) :: cc, ss, cs, dcs, dss, det, turn
+      real(wp) :: cc, ss, cs, dcs, dss, det, turn, shortest
       integer :: i, j, k, n, m, crossings, most
 
       n = size(times)
@@ -63,7 +63,9 @@ contains
       end do
       if (.not. total > 0) return
       step = 0.15_wp/span
-      k = ceiling(1.6_wp*(most + 2)/(span*step))
+      ! At times evenly spaced, what is beyond Nyquist's frequency is the image of a line below it.
+      shortest = minval(times(2:) - times(:n - 1), times(2:) > times(:n - 1))
+      k = max(1, min(ceiling(1.6_wp*(most + 2)/(span*step)), floor(min(0.5_wp/(shortest*step), 1e6_wp))))
       allocate (power(k))
       c = cos(2*pi*step*(times - times(1)))
       s = sin(2*pi*step*(times - times(1)))

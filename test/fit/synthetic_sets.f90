@@ -68,7 +68,7 @@ contains
          given = 'gravity = '//number(set%theta(2))
          groups = '&earth_rotation /'//new_line('a')
          set%free = [1, 3, 4, 5, 6, 7]
-         set%more = 'rate'                           ! Of the earth: rate*sin(latitude) is known
+         set%more = 'extra_length_x'                 ! With extra_length_y: of three lengths the sums are known
       case (3)
          call draw_pendulum(-0.7_wp, 1.0_wp, 3.0_wp, 25.0_wp)
          call draw_wide_start()
@@ -112,6 +112,7 @@ contains
          set%more = 'gravity'
       end select
       if (with_more) free = free//' '//trim(set%more)
+      if (with_more .and. case == 2) free = free//' extra_length_y'
       if (with_more .and. case == 5) given = ''
       rate = sqrt(set%theta(2)/set%theta(1))
       set%steps(:6) = [set%theta(1), set%theta(2), 1.0_wp, 1.0_wp, set%theta(1)*rate, set%theta(1)*rate]
