@@ -228,7 +228,9 @@ contains
          if (.not. data%has(column_period)) exit
          associate (period => data%value(i, column_period), amplitude => data%value(i, column_amplitude))
             if (is_nan(period) .and. is_nan(amplitude)) cycle
-            if (period > 0 .and. amplitude > 0) cycle
+            if (.not. (is_nan(period) .or. is_nan(amplitude))) then
+               if (period > 0 .and. amplitude > 0) cycle
+            end if
             call fail(error, code_input, place_of(data%file, data%line(i))// &
                'period and amplitude must both be given, and positive')
          end associate

@@ -67,7 +67,7 @@ contains
          result%is_converged = .false.
          return
       end if
-      result%condition = s(1)/max(s(p), tiny(1.0_wp))
+      result%condition = s(1)/max(s(p), 1e-290_wp*max(s(1), 1.0_wp))
       is_out = s < max(least_singular, rounding*s(1))
       floor = max(rounding*s(1), tiny(1.0_wp))
       call physics_at(model%motion, result%x, number, physics, failed, directions)

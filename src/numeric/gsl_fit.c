@@ -1,5 +1,7 @@
 /* Nonlinear least squares by GSL's multifit_nlinear (trust region with geodesic acceleration), whose method tables are pointers
    kept in variables of libgsl, which Fortran cannot reach. Arrays in and out, nothing of GSL. */
+#include <fenv.h>
+
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_matrix.h>
@@ -35,7 +37,8 @@ static int jacobian_of(const gsl_vector *x, void *params, gsl_matrix *j)
    return problem->jacobian(x->data, j->data, problem->params) == 0 ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-/* The minimum next to x, which is changed; GSL's status. */
+/* The minimum next to x, which is changed; GSL's status. Its steps may overflow on the way, which is no fault: where the caller's
+   program traps, it does not while they last. */
 int kyvadlo_gsl_least_squares(size_t n, size_t p, double *x, residuals_type residuals, jacobian_type jacobian, void *params,
    int most, double xtol, double gtol, double ftol, int by_cholesky, int accelerate, int *iterations, int *info)
 {
@@ -44,6 +47,7 @@ int kyvadlo_gsl_least_squares(size_t n, size_t p, double *x, residuals_type resi
    gsl_multifit_nlinear_fdf fdf = {0};
    gsl_multifit_nlinear_workspace *room;
    gsl_vector_view start = gsl_vector_view_array(x, p);
+   fenv_t callers;
    int status;
 
    how.trs = accelerate ? gsl_multifit_nlinear_trs_lmaccel : gsl_multifit_nlinear_trs_lm;
@@ -58,12 +62,14 @@ int kyvadlo_gsl_least_squares(size_t n, size_t p, double *x, residuals_type resi
    *info = 0;
    room = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, n, p);
    if (room == NULL) return GSL_ENOMEM;
+   feholdexcept(&callers);
    status = gsl_multifit_nlinear_init(&start.vector, &fdf, room);
    if (status == GSL_SUCCESS) {
       status = gsl_multifit_nlinear_driver((size_t) most, xtol, gtol, ftol, NULL, NULL, info, room);
       *iterations = (int) gsl_multifit_nlinear_niter(room);
       gsl_vector_memcpy(&start.vector, gsl_multifit_nlinear_position(room));
    }
+   fesetenv(&callers);
    gsl_multifit_nlinear_free(room);
    return status;
 }

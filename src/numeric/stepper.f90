@@ -13,6 +13,7 @@ module kyvadlo_stepper
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_force_changes, only: forces_change_type, move_changes
    use kyvadlo_forces, only: forces_type, move
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_pivot, only: next_knot
    use kyvadlo_suspension, only: put_on_surface, surface_change
    use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
@@ -223,8 +224,8 @@ contains
          y = stepper%y
          status = fgsl_odeiv2_step_apply(stepper%step, stepper%time, h, y(:n), errors(:n), stepper%rates(:n), &
             rates(:n), stepper%system)
-         ! An error that is a number says that the state is one.
-         if (status == 0 .and. sum(abs(errors(:n))) <= huge(h)) then
+         ! Errors that are numbers say that the state is one.
+         if (status == 0 .and. all(is_finite(errors(:n)))) then
             change = fgsl_odeiv2_control_hadjust(stepper%control, stepper%step, y(:n), errors(:n), rates(:n), wanted)
             if (.not. (change < 0 .and. wanted < h)) exit
          else
