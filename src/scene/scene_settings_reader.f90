@@ -273,11 +273,13 @@ contains
          effects%linear_drag = number(air_group, 'linear')
          effects%quadratic_drag = number(air_group, 'quadratic')
          effects%sphere_speed = 0
-         if (chosen%is_sphere) then
+         if (.not. (number(air_group, 'mass') > 0 .and. number(air_group, 'diameter') > 0)) then
+            continue   ! No bob, or one that is refused later.
+         else if (chosen%is_sphere) then
             call sphere_coefficients(number(air_group, 'diameter'), number(air_group, 'mass'), &
                number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, &
                effects%quadratic_drag, effects%sphere_speed)
-         else if (number(air_group, 'diameter') > 0) then
+         else
             call air_coefficients(number(air_group, 'diameter'), number(air_group, 'mass'), &
                number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, &
                effects%quadratic_drag)
