@@ -179,7 +179,12 @@ contains
             end do
          end do
       end if
-      call predict_events(model, physics, directions, h, rates, failed, derivatives)
+      ! An absent array is not handed on: gfortran would form its bounds from what its descriptor never held.
+      if (present(derivatives)) then
+         call predict_events(model, physics, directions, h, rates, failed, derivatives)
+      else
+         call predict_events(model, physics, directions, h, rates, failed)
+      end if
       if (failed) return
       do i = 1, size(model%used)
          associate (one => model%all(model%used(i)))
@@ -290,7 +295,13 @@ contains
                unit_period(one%amplitude)/one%sigma)
          end associate
       end do
-      if (allocated(problem%time_sigma)) call allow_for_time(problem, f, rates, jacobian)
+      if (allocated(problem%time_sigma)) then
+         if (present(jacobian)) then
+            call allow_for_time(problem, f, rates, jacobian)
+         else
+            call allow_for_time(problem, f, rates)
+         end if
+      end if
       if (problem%loss /= loss_squares) then
          do i = 1, n
             if (present(jacobian)) then
@@ -304,7 +315,11 @@ contains
       if (allocated(problem%prior)) then
          do j = 1, size(problem%prior)
             k = k + 1
-            call add_prior(problem, x, j, f(k), jacobian, k)
+            if (present(jacobian)) then
+               call add_prior(problem, x, j, f(k), k, jacobian)
+            else
+               call add_prior(problem, x, j, f(k), k)
+            end if
          end do
       end if
       if (allocated(problem%pull)) then
@@ -333,7 +348,7 @@ contains
       end subroutine widen
    end subroutine evaluate_model
 
-   subroutine add_prior(problem, x, j, f, jacobian, k)
+   subroutine add_prior(problem, x, j, f, k, jacobian)
       class(model_type), intent(in) :: problem
       real(wp), intent(in) :: x(:)
       integer, intent(in) :: j, k
