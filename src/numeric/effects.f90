@@ -26,9 +26,9 @@ module kyvadlo_effects
       real(wp), allocatable :: pivot_displacements(:, :)  !! (3, n) there, added to the harmonic ones [m]
       !> (3, n) second derivatives of the spline: new_pivot_table [m/s2]
       real(wp), allocatable :: pivot_curvatures(:, :)
-      type(curve_type) :: pivot_curve     !! Displacements added to these: of a move, or of a table of rates [m]
+      type(curve_type) :: pivot_curve = curve_type() !! Added to these: of a move, or of a table of rates [m]
       real(wp) :: hoist_rate = 0          !! At which a winch lets the length grow; negative: it hauls in [m/s]
-      type(curve_type) :: hoist           !! What the length is more than at time 0, by new_hoist_table [m]
+      type(curve_type) :: hoist = curve_type() !! What the length is more than at time 0, by new_hoist_table [m]
       real(wp) :: stiffness = 0           !! Of an elastic rod or string, over mass; 0: it keeps its length [1/s2]
       real(wp) :: extra_length(2) = 0     !! How much longer the pendulum is when it swings along x, along y [m]
       logical :: is_string = .false.      !! Pulls only
