@@ -17,7 +17,7 @@ module kyvadlo_many_orbits
 contains
 
    !> lambda T = phi(T) - pi of many orbits with the gaps l - z1 and l + z2 [rad], (35): what `apsidal_advance` gives
-   !> after a set-up, in a twentieth of the time, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up. NaN
+   !> after a set-up, in a tenth of the time, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up. NaN
    !> unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0; arrays of different sizes give NaN.
    !> Error 8 ulp at worst (test/unit/test_many_orbits.pf).
    subroutine orbits_advance_from_gaps(length, upper_gap, lower_rise, advance, highest_level, threads)

@@ -12,7 +12,7 @@ module kyvadlo_periods
 
 contains
 
-   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a fiftieth of
+   !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a twentieth of
    !> the time. NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0.
    !> Error 3 ulp at worst (test/unit/test_periods.pf).
    elemental real(real64) function orbit_period_from_gaps(length, gravity, upper_gap, lower_rise) result(period)
