@@ -20,9 +20,10 @@ module kyvadlo_bench_motion
    integer, parameter :: points = 10240, calls = 400, many = 2**20
 
    integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, &
-      dual_rates_row = 6, one_direct = 7, one_dual = 8, one_upright = 9, one_rates = 10, one_azimuth = 11, &
-      set_up_direct = 12, set_up_dual = 13, set_up_upright = 14, set_up_state = 15, period_one = 16, &
-      period_upright = 17, period_many = 18, period_many_upright = 19, both_many = 20, position_many = 21, last_row = 21
+      dual_rates_row = 6, direct_azimuth_row = 7, dual_azimuth_row = 8, last_of_level = 8, one_direct = 9, one_dual = 10, &
+      one_upright = 11, one_rates = 12, one_azimuth = 13, set_up_direct = 14, set_up_dual = 15, set_up_upright = 16, &
+      set_up_state = 17, period_one = 18, period_upright = 19, period_many = 20, period_many_upright = 21, &
+      both_many = 22, position_many = 23, last_row = 23
 
    type :: bench_type
       type(orbit_type) :: direct, dual, upright
@@ -51,11 +52,11 @@ contains
       call prepare(bench)
       do level = 0, vector_level()
          do pass = 0, passes  ! The first warms the caches and is not counted.
-            do row = 1, merge(last_row, dual_rates_row, level == vector_level())
+            do row = 1, merge(last_row, last_of_level, level == vector_level())
                call measure(bench, row, level, times(max(pass, 1), row))
             end do
          end do
-         do row = 1, merge(last_row, dual_rates_row, level == vector_level())
+         do row = 1, merge(last_row, last_of_level, level == vector_level())
             t(row) = median(times(:, row))
          end do
          call print_places(unit, level, t)
@@ -101,7 +102,7 @@ contains
       total = 0
       count = points
       call system_clock(start)
-      if (row <= dual_rates_row .or. row >= period_many) then
+      if (row <= last_of_level .or. row >= period_many) then
          call run_arrays(bench, row, level, total)
       else if (row < set_up_direct .or. row > set_up_state) then
          count = calls
@@ -146,6 +147,10 @@ contains
          case (dual_rates_row)
             call bench%dual%locate(bench%time, out(:, 1), out(:, 2), out(:, 3), out(:, 4), out(:, 5), out(:, 6), &
                highest_level=level)
+         case (direct_azimuth_row)
+            call bench%direct%azimuths(bench%time, out(:, 1), highest_level=level)
+         case (dual_azimuth_row)
+            call bench%dual%azimuths(bench%time, out(:, 1), highest_level=level)
          case (period_many)
             call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
          case (period_many_upright)
@@ -246,6 +251,8 @@ contains
       call print_row('> 1/2   position', dual_row)
       call print_row('< 1/2   position and velocity', direct_rates_row)
       call print_row('> 1/2   position and velocity', dual_rates_row)
+      call print_row('< 1/2   azimuth, turns counted', direct_azimuth_row)
+      call print_row('> 1/2   azimuth, turns counted', dual_azimuth_row)
 
    contains
 

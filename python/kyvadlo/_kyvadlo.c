@@ -458,7 +458,7 @@ static PyObject *locate_from_gaps(PyObject *module, PyObject *args)
    return none();
 }
 
-/* evaluate(orbit, what, arguments, values): fills `values` one by one. */
+/* evaluate(orbit, what, arguments, values): fills `values`, one by one but for azimuths. */
 static PyObject *evaluate(PyObject *module, PyObject *args)
 {
    static const struct {
@@ -486,7 +486,8 @@ static PyObject *evaluate(PyObject *module, PyObject *args)
    while (which < COUNT && strcmp(functions[which].name, what) != 0) which++;
    if (which == COUNT) return PyErr_Format(PyExc_LookupError, "no function %s", what);
    Py_BEGIN_ALLOW_THREADS
-   for (i = 0; i < count; i++) y[i] = functions[which].at(orbit, x[i]);
+   if (functions[which].at == kyvadlo_azimuth) kyvadlo_azimuths(orbit, (size_t)count, x, y, 1);
+   else for (i = 0; i < count; i++) y[i] = functions[which].at(orbit, x[i]);
    Py_END_ALLOW_THREADS
    return none();
 }

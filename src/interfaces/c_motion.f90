@@ -287,4 +287,26 @@ contains
       end do
    end subroutine kyvadlo_locate_many_threads
 
+   !> Azimuths by the vector kernels and `threads` threads, 0: as many as OpenMP offers.
+   subroutine kyvadlo_azimuths(orbit, count, times, azimuths, threads) bind(c)
+      type(c_orbit_type), intent(in), target :: orbit
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: azimuths(count)
+      integer(c_int), value :: threads
+      integer(c_size_t), parameter :: longest = 2**28
+      integer(c_size_t) :: start, last
+      type(orbit_type), pointer :: own
+
+      own => seen(orbit)
+      if (has_seal(orbit) == 0) then
+         azimuths = quiet_nan
+         return
+      end if
+      do start = 1, count, longest
+         last = min(count, start + longest - 1)
+         call own%azimuths(times(start:last), azimuths(start:last), threads=int(threads))
+      end do
+   end subroutine kyvadlo_azimuths
+
 end module kyvadlo_c_motion

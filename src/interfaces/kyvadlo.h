@@ -250,6 +250,8 @@ void kyvadlo_locate_many(const kyvadlo_orbit *orbit, size_t count, const double 
    double *velocities);
 void kyvadlo_locate_many_threads(const kyvadlo_orbit *orbit, size_t count, const double *times, double *positions,
    double *velocities, int threads);
+/* phi at `count` times [rad], by vector kernels too, for a little more than the positions. */
+void kyvadlo_azimuths(const kyvadlo_orbit *orbit, size_t count, const double *times, double *azimuths, int threads);
 
 /* Many orbits of one pendulum, each evaluated once, without setting them up: from their gaps l - z1 and l + z2 [m],
    `count` of each. T [s]; the advance of the apsides in a period, phi(T) - pi [rad]; positions [m] and velocities [m/s]

@@ -4,18 +4,21 @@ module kyvadlo_batch_dispatch
    use, intrinsic :: iso_c_binding, only: c_int
    use kyvadlo_batch_constants
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
+      azimuths_baseline => azimuth_group, &
       beyond_baseline => any_beyond, periods_baseline => period_group, advances_baseline => advance_group
    use kyvadlo_batch_kernel_baseline_single, only: place_baseline_single => place_group, &
       rates_baseline_single => place_group_rates
    use kyvadlo_batch_kernel_baseline_short, only: place_baseline_short => place_group, &
       rates_baseline_short => place_group_rates
    use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, &
+      azimuths_v3 => azimuth_group, &
       beyond_v3 => any_beyond, periods_v3 => period_group, advances_v3 => advance_group
    use kyvadlo_batch_kernel_v3_single, only: place_v3_single => place_group, &
       rates_v3_single => place_group_rates
    use kyvadlo_batch_kernel_v3_short, only: place_v3_short => place_group, &
       rates_v3_short => place_group_rates
    use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, &
+      azimuths_v4 => azimuth_group, &
       beyond_v4 => any_beyond, periods_v4 => period_group, advances_v4 => advance_group
    use kyvadlo_batch_kernel_v4_single, only: place_v4_single => place_group, &
       rates_v4_single => place_group_rates
@@ -23,7 +26,7 @@ module kyvadlo_batch_dispatch
       rates_v4_short => place_group_rates
    implicit none
    private
-   public :: vector_level, place_groups, place_groups_rates, period_groups, advance_groups, any_time_beyond
+   public :: vector_level, place_groups, place_groups_rates, azimuth_groups, period_groups, advance_groups, any_time_beyond
 
    !> Levels of the processor: 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
    integer, parameter :: levels = 3
@@ -102,6 +105,24 @@ contains
          call rates_baseline(b, start, groups, time, x, y, z, vx, vy, vz)
       end select
    end subroutine place_groups_rates
+
+   pure subroutine azimuth_groups(level, b, start, is_plane, groups, time, azimuth)
+      integer, intent(in) :: level, groups
+      type(batch_type), intent(in) :: b
+      type(start_type), intent(in) :: start
+      logical, intent(in) :: is_plane
+      real(real64), intent(in) :: time(group_size*groups)
+      real(real64), intent(out) :: azimuth(group_size*groups)
+
+      select case (level)
+      case (2)
+         call azimuths_v4(b, start, is_plane, groups, time, azimuth)
+      case (1)
+         call azimuths_v3(b, start, is_plane, groups, time, azimuth)
+      case default
+         call azimuths_baseline(b, start, is_plane, groups, time, azimuth)
+      end select
+   end subroutine azimuth_groups
 
    pure subroutine period_groups(level, groups, length, factor, upper_gap, lower_rise, period)
       integer, intent(in) :: level, groups

@@ -4,6 +4,7 @@ digits (mpmath).
 
     sin(pi f/2)/f and cos(pi f/2)            for |f| <= 1/2,     in powers of f**2
     sinh(r)/r     and cosh(r)                for |r| <= ln(2)/2, in powers of r**2
+    atan(s)/s                                for |s| <= tan(pi/8), in powers of s**2
 
 Printed beside each table: the largest error with the coefficients rounded to their kind, relative for the sines,
 absolute for the cosines.
@@ -44,9 +45,10 @@ def ratio(function, scale):
     return quotient
 
 
-# The file of a grade: its kind, the degrees in the square of sine, cosine, sinh, cosh, and of the series of the period.
+# The file of a grade: its kind, the degrees in the square of sine, cosine, sinh, cosh, and of the series of the period
+# and of the azimuth.
 GRADES = [
-    ("batch_polynomials.inc", "real64", (6, 7, 5, 5), (7, 6)),
+    ("batch_polynomials.inc", "real64", (6, 7, 5, 5), (7, 6, 10)),
     ("batch_polynomials_single.inc", "real32", (3, 4, 2, 3), None),
     ("batch_polynomials_short.inc", "real64", (4, 5, 3, 4), None),
 ]
@@ -63,6 +65,7 @@ def series(degrees, period_degrees):
                period_degrees[0], True, 1)
         yield ("mean_series", "1/agm(1+x, 1-x)", lambda z: 1 / mp.agm(1 + mp.sqrt(abs(z)), 1 - mp.sqrt(abs(z))),
                mp.mpf(1) / 10, period_degrees[1], False, 0)
+        yield ("arctangent_rest", "atan(s)/s", ratio(mp.atan, mp.mpf(1)), mp.tan(mp.pi / 8), period_degrees[2], True, 1)
     yield "hyperbolic_cosine_series", "cosh(r)", lambda z: mp.cosh(mp.sqrt(abs(z))), root, degrees[3], False, 0
 
 
@@ -73,7 +76,7 @@ for file, kind, degrees, period_degrees in GRADES:
             terms, worst = fit(function, top, degree, relative, kind)
             error = f"largest {'relative' if relative else 'absolute'} error {mp.nstr(worst, 2)}"
             what = f"({text} - 1)/z" if first else text
-            of_period = name in ("logarithm_rest", "mean_series")
+            of_period = name in ("logarithm_rest", "mean_series", "arctangent_rest")
             if of_period:
                 out.write("\n#ifndef without_periods")
             out.write(f"\n   !> {what} in powers of the square z; {error}{' of ' + text if first else ''}.\n")

@@ -70,10 +70,14 @@ contains
          else
             call place_samples(path%orbit, block%values(:n, 1), 1, block)
          end if
-         if (column(quantity_tension) > 0) block%values(:n, column(quantity_tension)) = &
-            path%inertia*path%orbit%rod_force(block%values(:n, 1))
-         if (column(quantity_azimuth) > 0) block%values(:n, column(quantity_azimuth)) = &
-            path%orbit%azimuth(block%values(:n, 1))
+         if (column(quantity_tension) > 0 .and. allocated(path%plan)) then
+            ! Places to an accuracy are not what it is computed from.
+            block%values(:n, column(quantity_tension)) = path%inertia*path%orbit%rod_force(block%values(:n, 1))
+         else if (column(quantity_tension) > 0) then
+            call fill_tension(path%orbit, path%inertia, 1, n, block)
+         end if
+         if (column(quantity_azimuth) > 0) call path%orbit%azimuths(block%values(:n, 1), &
+            block%values(:n, column(quantity_azimuth)))
       end associate
       call fill_constants(path, block)
    end subroutine fill_closed_form
@@ -96,6 +100,19 @@ contains
          end if
       end associate
    end subroutine place_samples
+
+   !> The tension of one orbit from the heights, `rod_force` by `energy`.
+   pure subroutine fill_tension(orbit, inertia, first, last, block)
+      type(orbit_type), intent(in) :: orbit
+      real(wp), intent(in) :: inertia
+      integer, intent(in) :: first, last
+      type(block_type), intent(inout) :: block
+
+      associate (values => block%values, z => block%column(quantity_position) + 2)
+         values(first:last, block%column(quantity_tension)) = (inertia/orbit%length)*(2*orbit%energy() &
+            - (3*orbit%gravity)*values(first:last, z))
+      end associate
+   end subroutine fill_tension
 
    !> Places, and velocities if needed, to an accuracy.
    subroutine place_to_accuracy(path, block)
@@ -140,10 +157,12 @@ contains
             if (string%pieces(piece)%is_taut) then
                since(first:last) = values(first:last, 1) - string%pieces(piece)%start
                call place_samples(string%pieces(piece)%orbit, since(first:last), first, block)
-               if (tension_column > 0) values(first:last, tension_column) = &
-                  path%inertia*string%pieces(piece)%orbit%rod_force(since(first:last))
-               if (azimuth_column > 0) values(first:last, azimuth_column) = block%azimuth &
-                  + (string%pieces(piece)%orbit%azimuth(since(first:last)) - string%pieces(piece)%orbit%azimuth(0.0_wp))
+               if (tension_column > 0) call fill_tension(string%pieces(piece)%orbit, path%inertia, first, last, block)
+               if (azimuth_column > 0) then
+                  call string%pieces(piece)%orbit%azimuths(since(first:last), values(first:last, azimuth_column))
+                  values(first:last, azimuth_column) = block%azimuth &
+                     + (values(first:last, azimuth_column) - string%pieces(piece)%orbit%azimuth(0.0_wp))
+               end if
             else
                do i = first, last
                   call string%locate(values(i, 1), position, velocity, tension)

@@ -106,7 +106,7 @@ contains
       if (.not. is_one_orbit .and. &
          any(block%column([quantity_energy, quantity_momentum]) > 0)) call add(quantity_velocity)
       if (block%column(quantity_velocity) > 0 .or. block%column(quantity_inclination) > 0 .or. &
-         block%column(quantity_pivot_force) > 0 .or. &
+         block%column(quantity_tension) > 0 .or. &
          block%column(quantity_azimuth) > 0 .and. &
          simulation%settings%given(turning_frame_group)) call add(quantity_position)
       allocate (block%values(block_samples, count))

@@ -252,6 +252,11 @@ int main(void)
       kyvadlo_locate_many_threads(&orbit, 20000, at, there, moving, threads);
       check(memcmp(here, there, sizeof here) == 0, "many threads");
     }
+    for (threads = 0; threads < 4; threads++) {
+      kyvadlo_azimuths(&orbit, 20000, at, there, threads);
+      for (n = 0; n < 20000; n += 7)
+        check(fabs(there[n] - kyvadlo_azimuth(&orbit, at[n])) <= 8*DBL_EPSILON*(1 + there[n]), "azimuths of many times");
+    }
   }
   check(kyvadlo_orbit_bytes() == sizeof orbit, "the size of an orbit");
 
