@@ -4,17 +4,19 @@ program kyvadlo_bench
    use kyvadlo_bench_accuracy, only: bench_accuracy
    use kyvadlo_bench_fits, only: bench_fits
    use kyvadlo_bench_functions, only: bench_functions
+   use kyvadlo_bench_integrated, only: bench_integrated
    use kyvadlo_bench_interfaces, only: bench_interfaces
    use kyvadlo_bench_motion, only: bench_motion
    use kyvadlo_bench_scenes, only: bench_scenes
    use kyvadlo_bench_threads, only: bench_threads
    implicit none
 
-   character(len=*), parameter :: tables(7) = [character(len=12) :: &
-      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes', '--threads', '--fits']
+   character(len=*), parameter :: tables(8) = [character(len=12) :: &
+      '--functions', '--interfaces', '--motion', '--accuracy', '--scenes', '--threads', '--fits', &
+      '--integrated']
    character(len=*), parameter :: help(*) = [character(len=88) :: &
       'Usage: kyvadlo-bench [--functions] [--interfaces] [--motion] [--accuracy] [--scenes]', &
-      '                     [--threads] [--fits] [--quick]', &
+      '                     [--threads] [--fits] [--integrated] [--quick]', &
       '', &
       '  --functions   the elliptic functions', &
       '  --interfaces  a call from Fortran, from C and from Fortran 77', &
@@ -23,6 +25,7 @@ program kyvadlo_bench
       '  --scenes      samples of simulated scenes', &
       '  --threads     many positions on one thread and two, idle and beside two busy loops', &
       '  --fits        fits of long tables', &
+      '  --integrated  scenes without a closed form, beside GSL''s driver', &
       '  --quick       a tenth of the passes: to see that it runs, not to measure', &
       '', &
       'Without a table named, all. Medians of several passes, all columns of a row measured in', &
@@ -59,4 +62,5 @@ program kyvadlo_bench
    if (wanted(5)) call bench_scenes(output_unit, quick)
    if (wanted(6)) call bench_threads(output_unit, quick)
    if (wanted(7)) call bench_fits(output_unit, quick)
+   if (wanted(8)) call bench_integrated(output_unit, quick)
 end program kyvadlo_bench

@@ -225,7 +225,12 @@ PICTURES = {
     "time_to_azimuth": ("passage_azimuth 1 9.80665 0.3 -0.8 x", 0, 12), "orbits_period_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@0", 0.06, 1.9),
     "orbits_advance_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@7", 0.06, 1.9),
     "orbits_locate_from_gaps": ("position_gaps 1 9.80665 x 0.05 1@0", 0.06, 1.9),
-    "vertical_speed": ("position 1 9.80665 0.3 -0.8 x@5", 0, 3), "locate": ("position 1 9.80665 0.3 -0.8 x@0", 0, 3)}
+    "vertical_speed": ("position 1 9.80665 0.3 -0.8 x@5", 0, 3), "locate": ("position 1 9.80665 0.3 -0.8 x@0", 0, 3),
+    # What a set-up makes: the period over one of its numbers, or the height in time.
+    "new_orbit_from_heights": ("orbit 1 9.80665 x -0.95@0", -0.94, 0.94), "new_orbit_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@0", 0.06, 1.9),
+    "new_orbit_from_rises": ("orbit_rises 1 9.80665 x 0.05@0", 0.06, 1.9),
+    "new_orbit_from_release": ("orbit_release 1 9.80665 x 1@0", 1, 179),
+    "new_orbit_from_state": ("state 1 9.80665 0.6 0 -0.8 0.3 1.2 0.225 x@2", 0, 3)}
 
 
 RATIO = re.compile(r"jacobi_([scdn])([scdn])(c?)$")

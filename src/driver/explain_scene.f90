@@ -11,6 +11,7 @@ module kyvadlo_explain_scene
    use kyvadlo_simulation_path, only: path_integrated, path_string, path_type
    use kyvadlo_standard_io, only: message
    use kyvadlo_status, only: error_type
+   use kyvadlo_step_forecast, only: forecast_error
    use kyvadlo_text, only: counting_sink_type, integer_text
    implicit none
    private
@@ -31,7 +32,7 @@ contains
       type(simulation_type) :: trial
       type(path_type) :: trial_path
       type(column_type), allocatable :: columns(:)
-      real(wp) :: seconds, bytes, all
+      real(wp) :: seconds, bytes, all, off
       character(len=:), allocatable :: names
       integer :: i
 
@@ -48,6 +49,9 @@ contains
          call message('accuracy: '//digits_text(path%tolerance, 2)//', error of a step')
          call message('steps:    about '//trim(digits_text(path%steps, 2))//' of at most '// &
             trim(digits_text(path%most_steps, 2))//' (--most-steps)')
+         off = forecast_error(path%effects, path%length, path%gravity, path%duration, path%tolerance)
+         if (off > 0) call message('error:    about '//trim(digits_text(off, 1))// &
+            ' of the length at the end, growing with the square of the time')
       end if
       call message('columns: '//names)
       call message('samples:  '//counted(simulation%settings%samples)//' over '//digits_text(path%duration, 6)//' s')

@@ -15,9 +15,9 @@ module kyvadlo_fit_for_c
    public :: kyvadlo_fit_rows, kyvadlo_fit_text
 
    type, bind(c) :: summary_type
-      integer(c_size_t) :: numbers
-      integer(c_int) :: converged, dof
-      real(c_double) :: chi2, p_value
+      integer(c_size_t) :: numbers = 0
+      integer(c_int) :: converged = 0, dof = 0
+      real(c_double) :: chi2 = 0, p_value = 0
    end type summary_type
 
    !> KYVADLO_NO_MINIMUM

@@ -16,7 +16,7 @@ module kyvadlo_c_orbits
    integer, parameter :: orbit_size = 225
 
    type, bind(c) :: c_orbit_type
-      real(c_double) :: hidden(orbit_size)
+      real(c_double) :: hidden(orbit_size) = 0
    end type c_orbit_type
 
    interface
@@ -36,7 +36,7 @@ contains
 
    function kyvadlo_orbit_from_heights(length, gravity, upper, lower, orbit, message, capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, upper, lower
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -50,7 +50,7 @@ contains
    function kyvadlo_orbit_from_gaps(length, gravity, upper_gap, lower_rise, orbit, message, capacity) &
       result(code) bind(c)
       real(c_double), value :: length, gravity, upper_gap, lower_rise
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -64,7 +64,7 @@ contains
    function kyvadlo_orbit_from_rises(length, gravity, upper_rise, lower_rise, orbit, message, &
       capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, upper_rise, lower_rise
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -77,7 +77,7 @@ contains
 
    function kyvadlo_orbit_from_energy(length, gravity, energy, momentum, orbit, message, capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, energy, momentum
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -91,7 +91,7 @@ contains
    function kyvadlo_orbit_from_energy_above_top(length, gravity, energy, momentum, orbit, message, &
       capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, energy, momentum
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -105,7 +105,7 @@ contains
    function kyvadlo_orbit_from_energy_above_bottom(length, gravity, energy, momentum, orbit, message, &
       capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, energy, momentum
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -118,7 +118,7 @@ contains
 
    function kyvadlo_orbit_from_release(length, gravity, angle, speed, orbit, message, capacity) result(code) bind(c)
       real(c_double), value :: length, gravity, angle, speed
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -132,7 +132,7 @@ contains
    function kyvadlo_orbit_from_state(length, gravity, position, velocity, orbit, message, capacity) result(code) bind(c)
       real(c_double), value :: length, gravity
       real(c_double), intent(in) :: position(3), velocity(3)
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), value :: capacity
       integer(c_int) :: code
@@ -204,7 +204,7 @@ contains
    subroutine deliver(made, error, orbit, message, capacity, code)
       type(orbit_type), intent(in) :: made
       type(error_type), allocatable, intent(in) :: error
-      type(c_orbit_type), intent(out) :: orbit
+      type(c_orbit_type), intent(inout) :: orbit
       character(kind=c_char), intent(out) :: message(*)
       integer(c_size_t), intent(in) :: capacity  !! Of any size: what C calls -1 is the largest
       integer(c_int), intent(out) :: code

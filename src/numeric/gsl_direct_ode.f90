@@ -15,9 +15,9 @@ module kyvadlo_gsl_ode
 
    !> C's gsl_odeiv2_system.
    type, bind(c) :: gsl_system_type
-      type(c_funptr) :: f, jacobian
-      integer(c_size_t) :: dimension
-      type(c_ptr) :: params
+      type(c_funptr) :: f = c_null_funptr, jacobian = c_null_funptr
+      integer(c_size_t) :: dimension = 0
+      type(c_ptr) :: params = c_null_ptr
    end type gsl_system_type
 
    !> The equations: right side, Jacobian, dimension and what they are called with.

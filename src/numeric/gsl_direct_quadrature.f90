@@ -1,6 +1,7 @@
 !> GSL's quadrature for the facade kyvadlo_gsl, straight onto libgsl.
 module kyvadlo_gsl_quadrature
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_funptr, c_int, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr, &
+      c_size_t
    implicit none
    private
    public :: fgsl_function, fgsl_function_init, fgsl_function_free
@@ -16,8 +17,8 @@ module kyvadlo_gsl_quadrature
 
    !> C's gsl_function.
    type, bind(c) :: gsl_function_type
-      type(c_funptr) :: f
-      type(c_ptr) :: params
+      type(c_funptr) :: f = c_null_funptr
+      type(c_ptr) :: params = c_null_ptr
    end type gsl_function_type
 
    !> An integrand and what it is called with.

@@ -23,7 +23,7 @@ module kyvadlo_gsl_special
 
    !> A value with GSL's own estimate of its error.
    type, bind(c) :: fgsl_sf_result
-      real(c_double) :: val, err
+      real(c_double) :: val = 0, err = 0
    end type fgsl_sf_result
 
    interface

@@ -47,7 +47,7 @@ module kyvadlo_stepper
 
    !> GSL's arrays, of which the first `problem%unknowns` are there: known to be contiguous.
    type :: numbers_type
-      real(c_double) :: number(unknowns)
+      real(c_double) :: number(unknowns) = 0
    end type numbers_type
 
    !> An integration between two steps.

@@ -23,7 +23,7 @@ module kyvadlo_derivative_constants
    !> m2 and m1. Dual: 1, 2 real and imaginary part in powers of exp(2V), 3, 4 in those of exp(-2V), 5 to 8 the slope,
    !> times m1 and m2 (exp(V) and exp(-V) for odd powers, 1 and exp(-2V) for even ones).
    type :: series_type
-      real(real64) :: parts(0:3, 8)
+      real(real64) :: parts(0:3, 8) = 0
    end type series_type
 
    !> One passage, or the motion in the direct form.

@@ -36,7 +36,7 @@ module kyvadlo_decimal
       '5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899'
 
    type :: long_type
-      integer(int64) :: high, low
+      integer(int64) :: high = 0, low = 0
    end type long_type
 
 contains

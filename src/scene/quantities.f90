@@ -9,11 +9,11 @@ module kyvadlo_quantities
 
    !> A word of `quantities`, and the columns it stands for.
    type :: quantity_type
-      character(len=11) :: name
-      integer :: columns                     !! 1 or 3; of `derivatives`, by what is asked for, 0
-      character(len=11) :: column_names(3)
-      character(len=7) :: unit               !! As UDUNITS writes it
-      character(len=64) :: meaning
+      character(len=11) :: name = ''
+      integer :: columns = 0                 !! 1 or 3; of `derivatives`, by what is asked for, 0
+      character(len=11) :: column_names(3) = ''
+      character(len=7) :: unit = ''          !! As UDUNITS writes it
+      character(len=64) :: meaning = ''
    end type quantity_type
 
    !> Places in `quantities`; those up to the inclination have derivatives.

@@ -7,9 +7,9 @@ module kyvadlo_samples
 
    !> A column of numbers.
    type :: column_type
-      character(len=56) :: name
-      character(len=16) :: unit          !! As UDUNITS writes it
-      character(len=80) :: meaning
+      character(len=56) :: name = ''
+      character(len=16) :: unit = ''     !! As UDUNITS writes it
+      character(len=80) :: meaning = ''
    end type column_type
 
    !> Something that happened between two samples: to a string, or what an &event asks for.

@@ -38,13 +38,13 @@ module kyvadlo_scene_groups
 
    !> A name of a group.
    type :: setting_type
-      integer :: group                     !! Place in `group_names`
-      character(len=19) :: name
-      integer :: values                    !! How many it takes: 1, or 2 or 3 for vectors
-      integer :: rule                      !! One of the `rule_*` constants
-      character(len=6) :: unit
-      character(len=80) :: meaning
-      character(len=24) :: default         !! A number, or words; 'required' by its group
+      integer :: group = 0                 !! Place in `group_names`
+      character(len=19) :: name = ''
+      integer :: values = 1                !! How many it takes: 1, or 2 or 3 for vectors
+      integer :: rule = 0                  !! One of the `rule_*` constants
+      character(len=6) :: unit = ''
+      character(len=80) :: meaning = ''
+      character(len=24) :: default = ''    !! A number, or words; 'required' by its group
    end type setting_type
 
    type(setting_type), parameter :: settings(*) = [ &

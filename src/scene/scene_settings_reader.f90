@@ -19,8 +19,8 @@ module kyvadlo_scene_settings_reader
 
    !> Two names of a group that exclude each other.
    type :: contradiction_type
-      integer :: group
-      character(len=14) :: one, other
+      integer :: group = 0
+      character(len=14) :: one = '', other = ''
    end type contradiction_type
 
    type(contradiction_type), parameter :: contradictions(*) = [ &

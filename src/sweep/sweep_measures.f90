@@ -25,11 +25,11 @@ module kyvadlo_sweep_measures
       sampled_energy_lost = 29, sampled_contacts = 30
 
    type :: word_type
-      character(len=23) :: name
-      integer :: kind
-      integer :: components
-      character(len=7) :: unit           !! As UDUNITS writes it
-      character(len=80) :: meaning
+      character(len=23) :: name = ''
+      integer :: kind = 0
+      integer :: components = 1
+      character(len=7) :: unit = ''      !! As UDUNITS writes it
+      character(len=80) :: meaning = ''
    end type word_type
 
    type(word_type), parameter :: words(*) = [ &

@@ -213,6 +213,24 @@ if [ $with_gsl = yes ]; then
    checks=$((checks + 1))
    grep -q '^check: at a tenth of the accuracy, 1.0e-07, places differ by [1-9].*e-0[4-7] m at most' err || complain 'a check expected'
    fails 2 'accuracy must be at least 1e-14 beside --check' simulate air.nml --accuracy 2e-15 --check
+
+   # What the end of a long conservative scene is worth is told before it runs, to a factor of ten; of air nothing is said.
+   for effect in '&earth_rotation latitude=45' '&elastic stiffness=1000 mass=1' '&anisotropic_support extra_length_y=0.1'; do
+      printf '%s\n' '&pendulum length=1, position=0.6,0,-0.8, velocity=0,1.5,0 / &output duration=400, samples=2 /' "$effect /" >long.nml
+      run simulate long.nml --accuracy 1e-13
+      tail -n 1 out >exactly
+      run simulate long.nml --accuracy 1e-8 --explain
+      expect_status 0
+      checks=$((checks + 1))
+      tail -n 1 out | cat - exactly err | awk -F '[, ]+' '
+         NR == 1 { for (i = 2; i <= 4; i++) place[i] = $i }
+         NR == 2 { for (i = 2; i <= 4; i++) square += ($i - place[i])^2 }
+         /^error: / { told = $3 }
+         END { exit !(told > 0 && sqrt(square) < 10*told && sqrt(square) > told/10) }' || complain "$effect: $(grep '^error' err)"
+   done
+   run simulate air.nml --explain
+   checks=$((checks + 1))
+   ! grep -q '^error: ' err || complain 'no error is told of a scene with air'
    fails 2 'accuracy must be at least 1e-15 for a scene that is integrated' simulate air.nml --accuracy 1e-16
    run simulate air.nml --accuracy 1e-14 --check
    expect_status 0
