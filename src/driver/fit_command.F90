@@ -11,7 +11,6 @@ module kyvadlo_fit_command
    use kyvadlo_fit_plot, only: plot_fit
    use kyvadlo_fit_report, only: write_fit_csv, write_fit_text, write_residuals
    use kyvadlo_fit_request, only: fit_request_type, parse_fit_request
-   use kyvadlo_gsl, only: fgsl_error_handler_t, fgsl_set_error_handler_off
    use kyvadlo_plot_samples, only: check_plot
    use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
    use kyvadlo_standard_io, only: close_output, message, open_output, output_type
@@ -34,11 +33,9 @@ contains
       type(fit_data_type) :: data
       type(fit_result_type) :: result
       character(len=:), allocatable :: scene, table
-      type(fgsl_error_handler_t) :: old
       integer :: i, copies, seed, threads
 
       status = 0
-      old = fgsl_set_error_handler_off()   ! A failure is a status, no end of the program.
       call read_options(error)
       if (allocated(error)) return
       associate (scene_path => arguments%operands(1)%text, data_path => arguments%operands(2)%text)

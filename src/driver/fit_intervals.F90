@@ -3,7 +3,7 @@
 module kyvadlo_fit_intervals
    use, intrinsic :: iso_fortran_env, only: error_unit, int64
 !$ use omp_lib, only: omp_get_max_threads
-   use kyvadlo_fit_bootstrap, only: fit_copy, quantiles
+   use kyvadlo_fit_bootstrap, only: fit_copy
    use kyvadlo_fit_data, only: column_period, fit_data_type
    use kyvadlo_fit_model, only: model_type
    use kyvadlo_fit_places, only: new_model
@@ -13,6 +13,7 @@ module kyvadlo_fit_intervals
    use kyvadlo_fit_unknowns, only: place_at
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_finite, is_nan, quiet_nan_real64
+   use kyvadlo_quantiles, only: quantile_between, sort
    use kyvadlo_scene_groups
    use kyvadlo_standard_io, only: is_terminal, terminal_width
    use kyvadlo_text, only: integer_text
@@ -97,8 +98,7 @@ contains
       integer, intent(in) :: threads                   !! 0: all there are
       type(progress_type) :: progress
       type(model_type) :: model
-      real(wp), allocatable :: numbers(:, :, :), x(:)
-      real(wp) :: ends(2)
+      real(wp), allocatable :: numbers(:, :, :), x(:), sorted(:)
       logical, allocatable :: is_found(:)
       integer :: i, k
 
@@ -120,9 +120,10 @@ contains
             one%most = quiet_nan_real64
             do k = 1, one%elements
                if (.not. one%is_known(k) .or. 2*count(is_found) < copies) cycle
-               call quantiles(pack(numbers(k, one%setting, :), is_found), parts, ends)
-               one%least(k) = within(free, ends(1), -1)
-               one%most(k) = within(free, ends(2), 1)
+               sorted = pack(numbers(k, one%setting, :), is_found)
+               call sort(sorted)
+               one%least(k) = within(free, quantile_between(sorted, parts(1)), -1)
+               one%most(k) = within(free, quantile_between(sorted, parts(2)), 1)
             end do
          end associate
       end do

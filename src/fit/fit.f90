@@ -2,18 +2,21 @@
 !> tell.
 module kyvadlo_fit
    use kyvadlo_fit_data
-   use kyvadlo_fit_model, only: predict, use_until
+   use kyvadlo_fit_loss, only: soften
+   use kyvadlo_fit_model, only: leave_room, predict, use_until
    use kyvadlo_fit_motion, only: find_states
    use kyvadlo_fit_places, only: new_model, sigma_groups
    use kyvadlo_fit_request, only: fit_request_type, loss_squares
    use kyvadlo_fit_result, only: fit_result_type, fitted_type
-   use kyvadlo_fit_search, only: minimise_all, search
-   use kyvadlo_fit_sigmas, only: find_sigmas, name_results, predict_values
+   use kyvadlo_fit_search, only: is_still, minimise_all, search
+   use kyvadlo_fit_sigmas, only: find_sigmas, name_results
    use kyvadlo_fit_unknowns, only: place_at
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_namelist_file, only: place_of
    use kyvadlo_least_squares, only: minimum_type, triangle_of
    use kyvadlo_number_text, only: digits_text
    use kyvadlo_numbers, only: quiet_nan_real64
+   use kyvadlo_quantiles, only: median
    use kyvadlo_scene_groups
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_text, only: append, integer_text
@@ -34,6 +37,9 @@ contains
       if (allocated(error)) return
       if (any(data%has([column_u, column_v])) .and. .not. request%has_camera) call fail(error, code_input, data%file// &
          ':'//integer_text(data%header_line)//': columns u and v need a &camera group in the scene')
+      if (.not. (allocated(error) .or. request%has_start) .and. (any(data%has(:column_crossing_time)) .or. &
+         .not. data%has(column_period))) call fail(error, code_input, place_of(request%file, request%pendulum%line)// &
+         '&pendulum has no start; give one, or free position and velocity (only of periods none is needed)')
       if (allocated(error) .or. .not. data%has(column_amplitude)) return
       do i = 1, data%rows
          if (.not. data%value(i, column_amplitude) >= merge(180.0_wp, acos(-1.0_wp), request%in_degrees)) cycle
@@ -88,6 +94,8 @@ contains
       result%iterations = minimum%iterations
       result%is_converged = minimum%is_found
       call find_sigmas(result, request)
+      call leave_room(result%model)
+      if (result%is_converged) result%is_converged = .not. explains_nothing(result)
       if (.not. result%is_converged) then
          ! Where a search ended is no answer.
          do k = 1, size(result%of)
@@ -134,6 +142,53 @@ contains
          end if
       end do
    end subroutine refit
+
+   !> Whether each column's mean explains the data as well as the motion does: a search ends there for want of a slope.
+   !> (Of the line of apsides a constant may be all there is to know, unless the bob is at rest; events are left out.)
+   logical function explains_nothing(result) result(is)
+      type(fit_result_type), intent(in) :: result
+      real(wp), parameter :: sure = 3                    !! Times what chance explains
+      real(wp), parameter :: turn = 2*acos(-1.0_wp)
+      real(wp) :: mean, sums(2), f(2)
+      integer :: i, j, n
+
+      is = .false.
+      if (.not. allocated(result%residual)) return
+      if (.not. any(result%is_estimated) .and. result%chi2 < result%dof + 6*sqrt(2.0_wp*result%dof)) return
+      associate (m => result%model, loss => result%model%loss)
+         if (m%has_events .or. m%has_periods) return
+         n = 0
+         sums = 0
+         do j = column_x, column_tension
+            if (all(m%all(m%used)%column /= j)) cycle
+            if (is_angle(j)) then
+               mean = atan2(sum(sin(m%all(m%used)%value), m%all(m%used)%column == j), sum(cos(m%all(m%used)%value), &
+                  m%all(m%used)%column == j))
+            else if (loss == loss_squares) then
+               mean = sum(m%all(m%used)%value, m%all(m%used)%column == j)/count(m%all(m%used)%column == j)
+            else
+               mean = median(pack(m%all(m%used)%value, m%all(m%used)%column == j))
+            end if
+            do i = 1, size(m%used)
+               associate (one => m%all(m%used(i)))
+                  if (one%column /= j) cycle
+                  f = [one%value - mean, result%residual(i)]
+                  if (is_angle(j)) f(1) = f(1) - turn*anint(f(1)/turn)
+                  f(1) = f(1)/one%sigma
+                  if (loss /= loss_squares) call soften(loss, m%loss_scale, f(1))
+                  if (loss /= loss_squares) call soften(loss, m%loss_scale, f(2))
+                  sums = sums + f**2
+                  n = n + 1
+               end associate
+            end do
+         end do
+         if (n == 0) then
+            is = is_still(m, result%number)
+         else
+            is = sums(1) - sums(2) < sure*size(result%x)*max(1.0_wp, sums(2)/max(1, n - size(result%x)))
+         end if
+      end associate
+   end function explains_nothing
 
    !> Latent times to where they fit best.
    subroutine move_delays(result)
@@ -184,9 +239,9 @@ contains
       integer :: i, j, n
 
       change = 0
-      call predict_values(result, h, failed)
-      if (.not. failed) call result%model%evaluate(result%x, f, failed, jacobian)
+      call result%model%evaluate(result%x, f, failed, jacobian)
       if (failed) return
+      h = result%model%h
       call find_leverages(jacobian, taken)
       associate (m => result%model)
          n = size(m%used)
@@ -195,7 +250,7 @@ contains
                i=1, n)]
             if (.not. any(mine)) cycle
             sigma = sqrt(sum((h - m%all(m%used)%value)**2, mine)/max(sum(1 - taken(:n), mine), 1e-3_wp*count(mine)))
-            if (m%loss /= loss_squares) sigma = 1.4826_wp*median_of(pack(abs(h - m%all(m%used)%value), mine))
+            if (m%loss /= loss_squares) sigma = 1.4826_wp*median(pack(abs(h - m%all(m%used)%value), mine))
             if (.not. sigma > 0) sigma = tiny(sigma)**0.25_wp
             do i = 1, n
                if (.not. mine(i)) cycle
@@ -226,23 +281,6 @@ contains
          taken(i) = sum(y**2)
       end do
    end subroutine find_leverages
-
-   real(wp) function median_of(values) result(median)
-      real(wp), intent(in) :: values(:)
-      real(wp) :: low, high
-      integer :: step
-
-      low = 0
-      high = maxval(values)
-      do step = 1, 60
-         median = (low + high)/2
-         if (2*count(values <= median) >= size(values)) then
-            high = median
-         else
-            low = median
-         end if
-      end do
-   end function median_of
 
    !> A pendulum of a kilometre is one of a metre in millimetres; a frequency may be an alias.
    subroutine look_at_units(result, data)

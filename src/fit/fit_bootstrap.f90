@@ -12,7 +12,7 @@ module kyvadlo_fit_bootstrap
    use kyvadlo_scene_groups, only: settings
    implicit none
    private
-   public :: fit_copy, quantiles
+   public :: fit_copy
 
 contains
 
@@ -80,30 +80,5 @@ contains
          model%all = model%all(places)
       end if
    end subroutine draw
-
-   !> The values below which a part of others lies, by a straight line between neighbours.
-   subroutine quantiles(values, parts, found)
-      real(wp), intent(in) :: values(:), parts(:)
-      real(wp), intent(out) :: found(:)
-      real(wp) :: sorted(size(values)), place, value
-      integer :: i, j
-
-      sorted = values
-      do i = 2, size(sorted)
-         value = sorted(i)
-         j = i - 1
-         do while (j >= 1)
-            if (sorted(j) <= value) exit
-            sorted(j + 1) = sorted(j)
-            j = j - 1
-         end do
-         sorted(j + 1) = value
-      end do
-      do i = 1, size(parts)
-         place = 1 + parts(i)*(size(sorted) - 1)
-         j = max(1, min(int(place), size(sorted) - 1))
-         found(i) = sorted(j) + (place - j)*(sorted(min(j + 1, size(sorted))) - sorted(j))
-      end do
-   end subroutine quantiles
 
 end module kyvadlo_fit_bootstrap

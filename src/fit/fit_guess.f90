@@ -1,34 +1,14 @@
 !> Where a fit may begin, from nothing but the data: a periodogram tells the period, and for shapes of orbits on a grid
 !> the closed form tells what the rest is, by linear least squares.
 module kyvadlo_fit_guess
+   use kyvadlo_fit_guess_direct, only: guess_by_plane, guess_by_polynomials
+   use kyvadlo_fit_guess_list, only: guess_type, insert, start_of, view_type
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_numbers, only: is_nan
    use kyvadlo_orbit_real64, only: new_orbit_from_heights, orbit_type
-   use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_status, only: error_type
    implicit none
    private
    public :: guess_type, view_type, find_guesses, frequency_peaks
-
-   !> A pendulum that may have made the data.
-   type :: guess_type
-      real(wp) :: length = 1, gravity = 1
-      real(wp) :: position(3) = 0, velocity(3) = 0         !! At t = 0
-      real(wp) :: scale = 1, angle = 0, offset(2) = 0      !! Of the camera; the angle in radians
-      real(wp) :: misfit = huge(1.0_wp)                    !! Sum of squares over that of the data
-   end type guess_type
-
-   !> What was seen, and what is known beforehand (0: not).
-   type :: view_type
-      real(wp), allocatable :: times(:)
-      real(wp), allocatable :: seen(:, :)                  !! (n, 3) x, y, z; or u, v and nothing; NaN where not seen
-      logical :: has(3) = .false., is_camera = .false., is_angle = .false.
-      integer :: axes(2) = [1, 3]                          !! Of the camera
-      logical :: is_offset_free = .false., is_turn_free = .false.
-      real(wp) :: length = 0, gravity = 0, scale = 0, offset(2) = 0, angle = 0
-      !> The start, where it is known: another orbit is not looked for.
-      logical :: is_plane = .false.
-   end type view_type
 
    real(wp), parameter :: pi = acos(-1.0_wp)
 
@@ -148,6 +128,7 @@ contains
       call frequency_peaks(view%times, columns(:, :m), peaks, found)
       if (level == 1 .and. all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
       if (level == 1) return
+      if (view%is_line) call guess_by_plane(view, guesses, count)
       do i = 1, size(highest)
          do j = 1, size(parts)
             if (view%is_plane .and. j > 1) exit
@@ -209,9 +190,11 @@ contains
          senses = 2
       else
          turns = 12
-         senses = merge(1, 2, .false.)
+         senses = 2
       end if
       if (view%is_plane) turns = 2
+      if (view%is_tension) turns = 1
+      if (view%is_tension) senses = 1
       do sense = 1, senses
          do turn = 0, turns - 1
             across = 2*pi*turn/turns
@@ -226,6 +209,9 @@ contains
                   end if
                else
                   w = cmplx(position(1, :), merge(1, -1, sense == 1)*position(2, :), wp)
+                  if (view%is_azimuth) w = w/max(abs(w), tiny(1.0_wp))
+                  if (view%is_line) w = exp(cmplx(0.0_wp, merge(2, -2, sense == 1)*orbit%apsidal_rate()* &
+                     orbit%period()*anint((rate*view%times + phase)/orbit%period()), wp))
                end if
                call match(view, w, d, size_known, factor, shift)
                if (view%is_camera) then
@@ -245,6 +231,13 @@ contains
                      across = guess%angle - view%angle
                      guess%angle = view%angle
                   end if
+               else if (view%is_azimuth .or. view%is_line) then
+                  ! On a circle of radius 1: it tells no size.
+                  across = atan2(aimag(factor), real(factor))
+                  misfit = sum(abs(d - exp(cmplx(0.0_wp, across, wp))*w)**2)
+                  total = 4*n
+                  if (view%is_line) across = across/2
+                  call take_size(view, rate, guess)
                else
                   guess%length = abs(factor)
                   if (view%has(3)) then
@@ -264,6 +257,8 @@ contains
                   guess%gravity = view%gravity
                   if (.not. view%gravity > 0) guess%gravity = guess%length*rate**2
                end if
+            else if (view%is_tension) then
+               call match_tension(view, orbit, rate, position, guess, misfit, total)
             else
                call match_columns(view, position, across, size_known, guess%length, misfit, total)
                guess%gravity = view%gravity
@@ -279,6 +274,38 @@ contains
          end do
       end do
    end subroutine compare
+
+   !> Length and gravity of a rate [1/s] where the data tell no more.
+   subroutine take_size(view, rate, guess)
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: rate
+      type(guess_type), intent(inout) :: guess
+
+      guess%length = view%length
+      guess%gravity = view%gravity
+      if (.not. (view%length > 0 .or. view%gravity > 0)) guess%gravity = view%usual_gravity
+      if (.not. guess%length > 0) guess%length = guess%gravity/rate**2
+      if (.not. guess%gravity > 0) guess%gravity = guess%length*rate**2
+   end subroutine take_size
+
+   !> The tension per mass, g (2 e - 3 z/l): it tells the gravity where length and gravity are both unknown.
+   subroutine match_tension(view, orbit, rate, position, guess, misfit, total)
+      type(view_type), intent(in) :: view
+      type(orbit_type), intent(in) :: orbit
+      real(wp), intent(in) :: rate, position(:, :)
+      type(guess_type), intent(inout) :: guess
+      real(wp), intent(out) :: misfit, total
+      real(wp) :: model(size(position, 2))
+
+      model = 2*orbit%energy() - 3*position(3, :)
+      call take_size(view, rate, guess)
+      if (.not. (view%length > 0 .or. view%gravity > 0)) then
+         guess%gravity = max(dot_product(model, view%seen(:, 1))/sum(model**2), tiny(1.0_wp))
+         guess%length = guess%gravity/rate**2
+      end if
+      misfit = sum((view%seen(:, 1) - guess%gravity*model)**2)
+      total = sum((view%seen(:, 1) - sum(view%seen(:, 1))/size(model))**2)
+   end subroutine match_tension
 
    !> factor and shift of d = factor w + shift, as far as they are free.
    subroutine match(view, w, d, size_known, factor, shift)
@@ -347,153 +374,5 @@ contains
          end if
       end do
    end subroutine match_columns
-
-   !> The start at t = 0 of a unit orbit, turned and stretched.
-   subroutine start_of(orbit, phase, across, sense, guess)
-      type(orbit_type), intent(in) :: orbit
-      real(wp), intent(in) :: phase, across
-      integer, intent(in) :: sense
-      type(guess_type), intent(inout) :: guess
-      real(wp) :: position(3), velocity(3), c, s
-
-      call orbit%locate(phase, position, velocity)
-      position(2) = sense*position(2)
-      velocity(2) = sense*velocity(2)
-      c = cos(across)
-      s = sin(across)
-      guess%position = guess%length*[c*position(1) - s*position(2), s*position(1) + c*position(2), position(3)]
-      guess%velocity = sqrt(guess%length*guess%gravity)*[c*velocity(1) - s*velocity(2), s*velocity(1) + c*velocity(2), &
-         velocity(3)]
-   end subroutine start_of
-
-   !> Among the best; one like another takes its place or none.
-   subroutine insert(guesses, count, guess)
-      type(guess_type), intent(inout) :: guesses(:)
-      integer, intent(inout) :: count
-      type(guess_type), intent(in) :: guess
-      integer :: i, at
-
-      if (is_nan(guess%misfit) .or. is_nan(sum(guess%position) + sum(guess%velocity))) return
-      do i = 1, count
-         if (norm2(guess%position - guesses(i)%position) > 0.25_wp*guess%length) cycle
-         if (norm2(guess%velocity - guesses(i)%velocity) > 0.25_wp*sqrt(guess%length*guess%gravity)) cycle
-         if (abs(log(guess%gravity*guesses(i)%length/(guess%length*guesses(i)%gravity))) > 0.1_wp) cycle
-         if (abs(log(guess%length/guesses(i)%length)) > 0.25_wp) cycle
-         if (guess%misfit >= guesses(i)%misfit) return
-         guesses(i:count - 1) = guesses(i + 1:count)
-         count = count - 1
-         exit
-      end do
-      at = count + 1
-      do i = 1, count
-         if (guess%misfit < guesses(i)%misfit) then
-            at = i
-            exit
-         end if
-      end do
-      if (at > size(guesses)) return
-      count = min(count + 1, size(guesses))
-      guesses(at + 1:count) = guesses(at:count - 1)
-      guesses(at) = guess
-   end subroutine insert
-
-   !> Of x, y, z seen often enough: the length from the distances, gravity and a state from cubics through short pieces.
-   subroutine guess_by_polynomials(view, peaks, guesses, count)
-      type(view_type), intent(in) :: view
-      real(wp), intent(in) :: peaks(:)
-      type(guess_type), intent(inout) :: guesses(:)
-      integer, intent(inout) :: count
-      type(guess_type) :: guess
-      type(orbit_type) :: orbit
-      type(error_type), allocatable :: error
-      integer :: first, last, n, j, k, pieces
-      real(wp) :: length, t, a(4, 4), b(4, 3), power(4), up, down, pull(3), across(3), best, p(3), v(3), at
-      real(wp) :: where_to(3), speed(3), when
-
-      n = size(view%times)
-      if (size(peaks) == 0) return
-      length = sum(norm2(view%seen, dim=2))/n
-      if (view%length > 0) length = view%length
-      up = 0
-      down = 0
-      best = -1
-      pieces = 0
-      first = 1
-      do while (first <= n - 5)
-         last = first
-         do while (last < n)
-            if (view%times(last + 1) - view%times(first) > 0.22_wp/peaks(1)) exit
-            last = last + 1
-         end do
-         if (last - first >= 5) then
-            t = (view%times(first) + view%times(last))/2
-            a = 0
-            b = 0
-            do k = first, last
-               power = ((view%times(k) - t)*peaks(1))**[0, 1, 2, 3]
-               do j = 1, 4
-                  a(:, j) = a(:, j) + power*power(j)
-               end do
-               do j = 1, 3
-                  b(:, j) = b(:, j) + power*view%seen(k, j)
-               end do
-            end do
-            call solve(a, b)
-            p = b(1, :)
-            v = b(2, :)*peaks(1)
-            pull = 2*b(3, :)*peaks(1)**2
-            across = [0.0_wp, 0.0_wp, 1.0_wp] - p(3)/dot_product(p, p)*p
-            up = up - dot_product(pull, across)
-            down = down + dot_product(across, across)
-            pieces = pieces + 1
-            if (pieces == 1) then
-               where_to = p
-               speed = v
-               when = t
-            end if
-         end if
-         first = max(last, first + 1)
-      end do
-      if (pieces == 0 .or. .not. down > 0) return
-      at = up/down
-      if (view%gravity > 0) at = view%gravity
-      if (.not. at > 0) return
-      guess%length = length
-      guess%gravity = at
-      where_to = where_to/norm2(where_to)*length
-      speed = speed - dot_product(speed, where_to)/length**2*where_to
-      call new_orbit_from_state(orbit, length, at, where_to, speed, error)
-      if (allocated(error)) return
-      call orbit%locate(-when, guess%position, guess%velocity)
-      guess%misfit = 0
-      do k = 1, n
-         call orbit%locate(view%times(k) - when, p)
-         guess%misfit = guess%misfit + sum((p - view%seen(k, :))**2)
-      end do
-      up = 0
-      do j = 1, 3
-         up = up + sum((view%seen(:, j) - sum(view%seen(:, j))/n)**2)
-      end do
-      guess%misfit = guess%misfit/up
-      call insert(guesses, count, guess)
-   end subroutine guess_by_polynomials
-
-   !> Gauss's elimination of a small positive definite matrix.
-   pure subroutine solve(a, b)
-      real(wp), intent(inout) :: a(:, :), b(:, :)
-      integer :: i, j
-
-      do i = 1, size(a, 1)
-         if (.not. abs(a(i, i)) > 0) return
-         do j = 1, size(a, 1)
-            if (j == i) cycle
-            b(j, :) = b(j, :) - a(j, i)/a(i, i)*b(i, :)
-            a(j, :) = a(j, :) - a(j, i)/a(i, i)*a(i, :)
-         end do
-      end do
-      do i = 1, size(a, 1)
-         b(i, :) = b(i, :)/a(i, i)
-      end do
-   end subroutine solve
 
 end module kyvadlo_fit_guess

@@ -1,92 +1,28 @@
 !> What a motion says of the measurements: residuals in sigmas and their derivatives by the unknowns.
 module kyvadlo_fit_model
    use kyvadlo_fit_data
+   use kyvadlo_fit_loss, only: allow_for_row, soften
    use kyvadlo_fit_observation, only: camera_angle, camera_offset, camera_scale, observe, &
       observe_moved, period_of, to_event
    use kyvadlo_fit_physics, only: camera_type, direction_type, is_seen_otherwise, physics_type, show, &
       states_procedure, unit_period
-   use kyvadlo_fit_request, only: loss_cauchy, loss_huber, loss_squares
-   use kyvadlo_fit_unknowns, only: camera_at, numbers_at, outward_slopes, physics_at, unknowns_type
+   use kyvadlo_fit_request, only: loss_squares
+   use kyvadlo_fit_selection
+   use kyvadlo_fit_unknowns, only: camera_at, numbers_at, outward_slopes, physics_at
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_least_squares, only: least_squares_type
    use kyvadlo_scene_groups
    implicit none
    private
-   public :: measurement_type, model_type, use_until, predict
+   public :: measurement_type, model_type, use_until, count_until, leave_room, predict
 
-   !> One measured number.
-   type :: measurement_type
-      integer :: column = 0, row = 0, time_place = 0      !! Place among the times
-      real(wp) :: value = 0, sigma = 1, time = 0          !! Of an event its time is the value
-      real(wp) :: amplitude = 0, amplitude_sigma = 0      !! Beside a period
-   end type measurement_type
-
-   !> Measurements up to some time and the unknowns.
-   type, extends(least_squares_type) :: model_type
+   !> What a motion says of measurements in use.
+   type, extends(selection_type) :: model_type
       procedure(states_procedure), pointer, nopass :: find_states => null()
-      type(unknowns_type) :: motion
-      type(measurement_type), allocatable :: all(:)       !! By column and row, those of a row together, times ascending
-      integer, allocatable :: used(:)                     !! Places in `all`
-      real(wp), allocatable :: times(:)                   !! Of rows in use, ascending
-      real(wp), allocatable :: time_sigma(:), delay(:)    !! Of each: sigma of t, the latent time less t
-      integer :: axes(2) = [1, 3]
-      real(wp) :: until = huge(1.0_wp)
-      integer :: loss = loss_squares
-      real(wp) :: loss_scale = 1
-      real(wp), allocatable :: pull(:), pull_to(:)        !! Weak springs that hold unknowns where few data do not
-      integer, allocatable :: prior(:)                    !! Unknowns with one
-      real(wp), allocatable :: prior_value(:), prior_sigma(:)
-      !> Of each used measurement: what sigma_t makes of its variance
-      real(wp), allocatable :: variance_factor(:)
    contains
       procedure :: evaluate => evaluate_model
    end type model_type
 
 contains
-
-   !> Takes into use what was measured until a time, one in `stride` rows.
-   subroutine use_until(model, until, stride)
-      type(model_type), intent(inout) :: model
-      real(wp), intent(in) :: until
-      integer, intent(in) :: stride
-      integer, allocatable :: used(:)
-      integer :: i, n, row
-
-      model%until = until
-      if (allocated(model%used)) deallocate (model%used)
-      allocate (used(size(model%all)))
-      n = 0
-      do i = 1, size(model%all)
-         if (model%all(i)%time > until) cycle
-         if (stride > 1) then
-            if (modulo(model%all(i)%row, stride) /= 0) cycle
-         end if
-         n = n + 1
-         used(n) = i
-      end do
-      model%used = used(:n)
-      if (allocated(model%times)) deallocate (model%times)
-      allocate (model%times(size(model%used)))
-      n = 0
-      row = 0
-      do i = 1, size(model%used)
-         associate (one => model%all(model%used(i)))
-            one%time_place = 0
-            if (is_event(one%column) .or. one%column == column_period) cycle
-            if (one%row /= row) then
-               n = n + 1
-               model%times(n) = one%time
-               row = one%row
-            end if
-            one%time_place = n
-         end associate
-      end do
-      model%times = model%times(:n)
-      model%residuals = size(model%used)
-      if (allocated(model%prior)) model%residuals = model%residuals + size(model%prior)
-      if (allocated(model%pull)) model%residuals = model%residuals + size(model%pull)
-      model%unknowns = size(model%motion%of)
-   end subroutine use_until
 
    !> What the model says of the measurements in use, in their units, with derivatives.
    subroutine predict(model, x, h, failed, rates, derivatives)
@@ -95,13 +31,14 @@ contains
       real(wp), intent(out) :: h(:)                       !! (used)
       logical, intent(out) :: failed
       real(wp), intent(out) :: rates(:)                   !! (used) with time
-      real(wp), intent(out), optional :: derivatives(:, :) !! (unknowns, used)
+      real(wp), intent(out), optional, contiguous :: derivatives(:, :) !! (unknowns, used)
       real(wp) :: number(3, size(settings)), slopes(size(x))
       type(physics_type) :: physics
       type(direction_type) :: directions(size(x))
       type(camera_type) :: camera
-      real(wp), allocatable :: states(:, :), matrices(:, :, :), times(:)
-      integer :: i, k, n, parts(size(x))
+      real(wp), allocatable :: times(:)
+      integer :: k, parts(size(x))
+      logical :: is_moved
 
       call physics_at(model%motion, x, number, physics, failed, directions)
       if (failed) return
@@ -115,88 +52,124 @@ contains
       end do
       call numbers_at(model%motion, x, number, slopes)
       call camera_at(model%motion, number, camera)
-      n = size(model%times)
-      allocate (states(6, n))
       times = model%times + camera%time_offset
       if (allocated(model%delay)) times = times + model%delay(model_rows(model))
-      if (.not. physics%is_exact .and. n > 0) then
+      if (.not. physics%is_exact .and. size(times) > 0) then
          failed = times(1) < 0
          if (failed) return
       end if
+      is_moved = is_seen_otherwise(physics, directions)
+      call make_room(model, size(x), merge(6, 3, is_moved .or. model%has_forces), present(derivatives))
       if (present(derivatives)) then
-         allocate (matrices(6, size(x), n))
-         call model%find_states(physics, directions, times, states, failed, matrices)
+         call model%find_states(physics, directions, times, model%states, failed, model%matrices)
       else
-         call model%find_states(physics, directions, times, states, failed)
+         call model%find_states(physics, directions, times, model%states, failed)
       end if
       if (failed) return
+      ! An absent array is not handed on: gfortran would form its bounds from what its descriptor never held.
       ! Forces act relative to the pivot and in resting axes.
+      if (model%has_forces .and. present(derivatives)) then
+         call predict_forces(model, physics, directions, times, h, rates, derivatives)
+      else if (model%has_forces) then
+         call predict_forces(model, physics, directions, times, h, rates)
+      end if
+      if (is_moved) then
+         do k = 1, size(times)
+            if (present(derivatives)) then
+               call show(physics, directions, times(k), model%states(:, k), model%matrices(:, :, k))
+            else
+               call show(physics, directions, times(k), model%states(:, k))
+            end if
+         end do
+      end if
+      if (present(derivatives)) then
+         call predict_places(model, physics, camera, parts, slopes, h, rates, derivatives)
+      else
+         call predict_places(model, physics, camera, parts, slopes, h, rates)
+      end if
+      if (model%has_events .and. present(derivatives)) then
+         call predict_events(model, physics, directions, h, rates, failed, derivatives)
+      else if (model%has_events) then
+         call predict_events(model, physics, directions, h, rates, failed)
+      end if
+      if (failed .or. .not. model%has_periods) return
+      do k = 1, size(model%used)
+         associate (one => model%all(model%used(k)))
+            if (one%column /= column_period) cycle
+            if (present(derivatives)) then
+               call period_of(physics, directions, one%amplitude, h(k), derivatives(:, k))
+            else
+               call period_of(physics, directions, one%amplitude, h(k))
+            end if
+         end associate
+      end do
+   end subroutine predict
+
+   !> Tension and plane, of states relative to the pivot and in resting axes.
+   subroutine predict_forces(model, physics, directions, times, h, rates, derivatives)
+      class(model_type), intent(in) :: model
+      type(physics_type), intent(in) :: physics
+      type(direction_type), intent(in) :: directions(:)
+      real(wp), intent(in) :: times(:)
+      real(wp), intent(inout) :: h(:), rates(:)
+      real(wp), intent(inout), optional :: derivatives(:, :)
+      integer :: i, k
+
       do i = 1, size(model%used)
          associate (one => model%all(model%used(i)))
             if (one%column /= column_tension .and. one%column /= column_plane) cycle
             k = one%time_place
             if (present(derivatives)) then
-               call observe_moved(one%column, one%value, physics, directions, times(k), states(:, k), h(i), &
-                  rates(i), matrices(:, :, k), derivatives(:, i))
+               call observe_moved(one%column, one%value, physics, directions, times(k), model%states(:, k), h(i), &
+                  rates(i), model%matrices(:, :, k), derivatives(:, i))
             else
-               call observe_moved(one%column, one%value, physics, directions, times(k), states(:, k), h(i), &
+               call observe_moved(one%column, one%value, physics, directions, times(k), model%states(:, k), h(i), &
                   rates(i))
             end if
          end associate
       end do
-      if (is_seen_otherwise(physics, directions)) then
-         do k = 1, n
-            if (present(derivatives)) then
-               call show(physics, directions, times(k), states(:, k), matrices(:, :, k))
-            else
-               call show(physics, directions, times(k), states(:, k))
-            end if
-         end do
-      end if
+   end subroutine predict_forces
+
+   !> What is seen of the states, and what a shift of the times does to all that has one.
+   subroutine predict_places(model, physics, camera, parts, slopes, h, rates, derivatives)
+      class(model_type), intent(in) :: model
+      type(physics_type), intent(in) :: physics
+      type(camera_type), intent(in) :: camera
+      integer, intent(in) :: parts(:)
+      real(wp), intent(in) :: slopes(:)
+      real(wp), intent(inout) :: h(:), rates(:)
+      real(wp), intent(inout), optional, contiguous :: derivatives(:, :)
+      integer :: i, j, k
+
       do i = 1, size(model%used)
          associate (one => model%all(model%used(i)))
             k = one%time_place
             if (k == 0 .or. one%column == column_tension .or. one%column == column_plane) cycle
             if (one%column <= column_z) then
-               h(i) = states(one%column, k)
-               rates(i) = states(one%column + 3, k)
-               if (present(derivatives)) derivatives(:, i) = matrices(one%column, :, k)
+               h(i) = model%states(one%column, k)
+               rates(i) = model%states(one%column + 3, k)
+               if (.not. present(derivatives)) cycle
+               do j = 1, size(slopes)
+                  derivatives(j, i) = model%matrices(one%column, j, k)
+               end do
             else if (present(derivatives)) then
                call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
-                  states(:, k), h(i), rates(i), matrices(:, :, k), derivatives(:, i))
+                  model%states(:, k), h(i), rates(i), model%matrices(:, :, k), derivatives(:, i))
             else
                call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
-                  states(:, k), h(i), rates(i))
+                  model%states(:, k), h(i), rates(i))
             end if
          end associate
       end do
-      if (present(derivatives)) then
-         do k = 1, size(x)
-            if (model%motion%of(k)%setting /= setting_place(camera_group, 'time_offset')) cycle
-            do i = 1, size(model%used)
-               if (model%all(model%used(i))%time_place > 0) &
-                  derivatives(k, i) = derivatives(k, i) + rates(i)*slopes(k)
-            end do
+      if (.not. present(derivatives)) return
+      do k = 1, size(slopes)
+         if (model%motion%of(k)%setting /= setting_place(camera_group, 'time_offset')) cycle
+         do i = 1, size(model%used)
+            if (model%all(model%used(i))%time_place > 0) &
+               derivatives(k, i) = derivatives(k, i) + rates(i)*slopes(k)
          end do
-      end if
-      ! An absent array is not handed on: gfortran would form its bounds from what its descriptor never held.
-      if (present(derivatives)) then
-         call predict_events(model, physics, directions, h, rates, failed, derivatives)
-      else
-         call predict_events(model, physics, directions, h, rates, failed)
-      end if
-      if (failed) return
-      do i = 1, size(model%used)
-         associate (one => model%all(model%used(i)))
-            if (one%column /= column_period) cycle
-            if (present(derivatives)) then
-               call period_of(physics, directions, one%amplitude, h(i), derivatives(:, i))
-            else
-               call period_of(physics, directions, one%amplitude, h(i))
-            end if
-         end associate
       end do
-   end subroutine predict
+   end subroutine predict_places
 
    !> Times at which the bob is at its lowest or highest, next to those measured.
    subroutine predict_events(model, physics, directions, h, rates, failed, derivatives)
@@ -213,7 +186,6 @@ contains
       integer, parameter :: passes = 4
 
       allocate (events(count([(is_event(model%all(model%used(i))%column), i=1, size(model%used))])))
-      if (size(events) == 0) return
       k = 0
       do i = 1, size(model%used)
          if (.not. is_event(model%all(model%used(i))%column)) cycle
@@ -273,12 +245,18 @@ contains
       real(wp), intent(in) :: x(:)
       real(wp), intent(out) :: f(:)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: jacobian(:, :)
+      real(wp), intent(out), optional, contiguous :: jacobian(:, :)
       real(wp), allocatable :: h(:), rates(:)
+      real(wp) :: weight
       integer :: i, n, j, k
 
       n = size(problem%used)
-      allocate (h(n), rates(n))
+      call move_alloc(problem%h, h)
+      call move_alloc(problem%rates, rates)
+      if (allocated(h)) then
+         if (size(h) /= n) deallocate (h, rates)
+      end if
+      if (.not. allocated(h)) allocate (h(n), rates(n))
       rates = 0
       if (present(jacobian)) then
          call predict(problem, x, h, failed, rates, jacobian(:, :n))
@@ -289,7 +267,12 @@ contains
       do i = 1, n
          associate (one => problem%all(problem%used(i)))
             f(i) = (h(i) - one%value)/one%sigma
-            if (present(jacobian)) jacobian(:, i) = jacobian(:, i)/one%sigma
+            if (present(jacobian)) then
+               weight = 1/one%sigma
+               do j = 1, size(x)
+                  jacobian(j, i) = jacobian(j, i)*weight
+               end do
+            end if
             if (one%column == column_period .and. one%amplitude_sigma > 0) call widen(i, one%amplitude_sigma* &
                (unit_period(one%amplitude + 1e-5_wp) - unit_period(one%amplitude - 1e-5_wp))/2e-5_wp*h(i)/ &
                unit_period(one%amplitude)/one%sigma)
@@ -334,6 +317,8 @@ contains
       end if
       if (present(jacobian)) failed = .not. all(abs(jacobian) <= huge(1.0_wp))
       if (present(jacobian)) problem%outward = outward_slopes(problem%motion, x)
+      call move_alloc(h, problem%h)
+      call move_alloc(rates, problem%rates)
 
    contains
 
@@ -376,15 +361,13 @@ contains
       end function value_at
    end subroutine add_prior
 
-   !> The errors of t: the residuals of one row together, by the inverse root of 1 + a a', a the rates in sigmas. That
-   !> is
-   !> what remains of the latent time once it is where it fits best (the delay moves the row there).
+   !> The errors of t, row by row.
    subroutine allow_for_time(problem, f, rates, jacobian)
       class(model_type), intent(in) :: problem
       real(wp), intent(inout) :: f(:)
       real(wp), intent(in) :: rates(:)
-      real(wp), intent(inout), optional :: jacobian(:, :)
-      real(wp) :: a(columns), square, factor
+      real(wp), intent(inout), optional, contiguous :: jacobian(:, :)
+      real(wp) :: a(columns)
       integer :: i, first, n
 
       i = 1
@@ -400,38 +383,13 @@ contains
                delay => problem%delay(problem%all(problem%used(first))%row))
             if (.not. s > 0) cycle
             a(:last - first + 1) = rates(first:last)*s/problem%all(problem%used(first:last))%sigma
-            ! Back to the time that was read.
-            f(first:last) = f(first:last) - a(:last - first + 1)*delay/s
-            square = sum(a(:last - first + 1)**2)
-            if (.not. square > 0) cycle
-            factor = (1 - 1/sqrt(1 + square))/square
-            f(first:last) = f(first:last) - factor*dot_product(a(:last - first + 1), f(first:last))*a(:last - first + 1)
-            if (present(jacobian)) jacobian(:, first:last) = jacobian(:, first:last) - &
-               factor*spread(matmul(jacobian(:, &
-               first:last), a(:last - first + 1)), 2, last - first + 1)*spread(a(:last - first + 1), 1, &
-                  size(jacobian, 1))
+            if (present(jacobian)) then
+               call allow_for_row(a(:last - first + 1), delay/s, f(first:last), jacobian(:, first:last))
+            else
+               call allow_for_row(a(:last - first + 1), delay/s, f(first:last))
+            end if
          end associate
       end do
    end subroutine allow_for_time
-
-   !> A residual r becomes sqrt(2 rho(r)), whose square sums to the loss.
-   pure subroutine soften(loss, scale, f, jacobian)
-      integer, intent(in) :: loss
-      real(wp), intent(in) :: scale
-      real(wp), intent(inout) :: f
-      real(wp), intent(inout), optional :: jacobian(:)
-      real(wp) :: r, slope
-
-      r = abs(f)/scale
-      slope = 1
-      if (loss == loss_huber .and. r > 1) then
-         slope = 1/sqrt(2*r - 1)
-         f = sign(scale*sqrt(2*r - 1), f)
-      else if (loss == loss_cauchy .and. r > 1e-4_wp) then
-         slope = r/((1 + r**2)*sqrt(log(1 + r**2)))
-         f = sign(scale*sqrt(log(1 + r**2)), f)
-      end if
-      if (present(jacobian)) jacobian = jacobian*slope
-   end subroutine soften
 
 end module kyvadlo_fit_model

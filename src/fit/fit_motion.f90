@@ -20,9 +20,9 @@ contains
       type(physics_type), intent(in) :: physics
       type(direction_type), intent(in) :: directions(:)          !! (p)
       real(wp), intent(in) :: times(:)                           !! (n)
-      real(wp), intent(out) :: states(:, :)                      !! (6, n)
+      real(wp), intent(out), contiguous :: states(:, :)                      !! (6, n)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: matrices(:, :, :)       !! (6, p, n)
+      real(wp), intent(out), optional, contiguous :: matrices(:, :, :) !! (6, p, n); (3, p, n): of positions alone
 
       failed = .not. (physics%length > 0 .and. physics%gravity > 0)
       if (failed) return
@@ -48,16 +48,16 @@ contains
       type(physics_type), intent(in) :: physics
       type(direction_type), intent(in) :: directions(:)
       real(wp), intent(in) :: times(:)
-      real(wp), intent(out) :: states(:, :)
+      real(wp), intent(out), contiguous :: states(:, :)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: matrices(:, :, :)
+      real(wp), intent(out), optional, contiguous :: matrices(:, :, :)
       type(derivatives_type) :: derivatives
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
       integer, parameter :: block = 64
-      real(wp) :: weights(8, size(directions)), felt, r, a, dr, da
+      real(wp) :: weights(8, size(directions)), felt, r, a, dr, da, w
       real(wp) :: position(3, block), velocity(3, block), columns(6, 8, block)
-      integer :: c, i, j, k, n
+      integer :: entries(8, size(directions)), filled(size(directions)), c, i, j, k, n, at
 
       felt = gravity_felt(physics)
       if (.not. present(matrices)) then
@@ -84,19 +84,31 @@ contains
             weights(:, j) = [change%position, change%velocity, change%length, change%gravity*(1 - r)/(1 + a*r) &
                + physics%gravity*(-dr*(1 + a*r) - (1 - r)*(da*r + a*dr))/(1 + a*r)**2]
          end associate
+         ! Most are zero.
+         filled(j) = 0
+         do c = 1, 8
+            if (.not. abs(weights(c, j)) > 0) cycle
+            filled(j) = filled(j) + 1
+            entries(filled(j), j) = c
+         end do
       end do
       do i = 1, size(times), block
          n = min(block, size(times) - i + 1)
          call derivatives%evaluate(times(i:i + n - 1), position(:, :n), velocity(:, :n), columns(:, :, :n), &
             [1, 2, 3, 4, 5, 6, 7, 8])
          do k = 1, n
-            states(1:3, i + k - 1) = position(:, k)
-            states(4:6, i + k - 1) = velocity(:, k)
+            at = i + k - 1
+            states(1:3, at) = position(:, k)
+            states(4:6, at) = velocity(:, k)
             do j = 1, size(directions)
-               matrices(:, j, i + k - 1) = weights(1, j)*columns(:, 1, k)
-               do c = 2, 8
-                  if (abs(weights(c, j)) > 0) matrices(:, j, i + k - 1) = matrices(:, j, i + k - 1) + &
-                     weights(c, j)*columns(:, c, k)
+               matrices(:, j, at) = 0
+               do c = 1, filled(j)
+                  w = weights(entries(c, j), j)
+                  matrices(1, j, at) = matrices(1, j, at) + w*columns(1, entries(c, j), k)
+                  matrices(2, j, at) = matrices(2, j, at) + w*columns(2, entries(c, j), k)
+                  matrices(3, j, at) = matrices(3, j, at) + w*columns(3, entries(c, j), k)
+                  if (size(matrices, 1) == 3) cycle
+                  matrices(4:6, j, at) = matrices(4:6, j, at) + w*columns(4:6, entries(c, j), k)
                end do
             end do
          end do
@@ -107,12 +119,12 @@ contains
       type(physics_type), intent(in) :: physics
       type(direction_type), intent(in) :: directions(:)
       real(wp), intent(in) :: times(:)
-      real(wp), intent(out) :: states(:, :)
+      real(wp), intent(out), contiguous :: states(:, :)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: matrices(:, :, :)
+      real(wp), intent(out), optional, contiguous :: matrices(:, :, :)
       type(integration_type) :: run
       type(error_type), allocatable :: error
-      real(wp), allocatable :: positions(:, :), velocities(:, :), tensions(:), works(:, :)
+      real(wp), allocatable :: positions(:, :), velocities(:, :), tensions(:), works(:, :), whole(:, :, :)
       real(wp), parameter :: most_steps = 2e6_wp
       integer :: n
 
@@ -122,9 +134,10 @@ contains
          call new_integration(run, physics%effects, physics%length, physics%gravity, physics%position, &
             physics%velocity, physics%tolerance, error, with_work=.false., most_steps=most_steps, &
             changes=directions%change)
-         if (.not. allocated(error)) call run%advance(times, positions, velocities, tensions, works(:, 1), works(:, &
-            2), &
-            error, matrices=matrices)
+         allocate (whole(6, size(directions), n))
+         if (.not. allocated(error)) call run%advance(times, positions, velocities, tensions, works(:, 1), &
+            works(:, 2), error, matrices=whole)
+         if (.not. allocated(error)) matrices = whole(:size(matrices, 1), :, :)
       else
          call new_integration(run, physics%effects, physics%length, physics%gravity, physics%position, &
             physics%velocity, physics%tolerance, error, with_work=.false., most_steps=most_steps)

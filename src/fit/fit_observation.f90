@@ -120,8 +120,7 @@ contains
          if (column == column_tension) then
             of = tension_of(physics, time, state)
          else
-            of = plane_of(physics, time, state)
-            of = of + pi*anint((next_to - of)/pi)
+            of = plane_of(physics, time, state, next_to)
          end if
       end function of
    end subroutine observe_moved

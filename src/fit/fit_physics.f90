@@ -46,9 +46,10 @@ module kyvadlo_fit_physics
          type(physics_type), intent(in) :: physics
          type(direction_type), intent(in) :: directions(:)          !! (p)
          real(wp), intent(in) :: times(:)                           !! (n)
-         real(wp), intent(out) :: states(:, :)                      !! (6, n)
+         real(wp), intent(out), contiguous :: states(:, :)                      !! (6, n)
          logical, intent(out) :: failed
-         real(wp), intent(out), optional :: matrices(:, :, :)       !! (6, p, n)
+         !> (6, p, n); (3, p, n): of positions alone
+         real(wp), intent(out), optional, contiguous :: matrices(:, :, :)
       end subroutine states_procedure
    end interface
 
@@ -195,17 +196,20 @@ contains
       end function turned
    end subroutine show
 
-   !> Azimuth of the line of apsides of the orbit that the state has under gravity alone, carried at its mean rate from
-   !> the turning point next to the state; as the turning frame shows it; modulo pi [rad].
-   real(wp) function plane_of(physics, at, state) result(plane)
+   !> Azimuth of the highest point nearest in time, on the orbit that the state has under gravity alone, as the turning
+   !> frame shows it; modulo pi: the `plane` of `simulate` [rad].
+   real(wp) function plane_of(physics, at, state, next_to) result(plane)
       type(physics_type), intent(in) :: physics
       real(wp), intent(in) :: at                           !! The time [s]
       real(wp), intent(in) :: state(6)
+      real(wp), intent(in) :: next_to                      !! The half turn is counted from it
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
-      real(wp) :: time, half
+      real(wp) :: time, half, other
+      real(wp), parameter :: far = 0.95_wp                 !! Of a half period
+      real(wp), parameter :: pi = acos(-1.0_wp)
 
-      plane = 0
+      plane = next_to + pi/2                               ! As far as can be, where there is none
       call new_orbit_from_state(orbit, norm2(state(1:3)), gravity_felt(physics), state(1:3), state(4:6), error)
       if (allocated(error)) return
       half = orbit%period()/2
@@ -213,7 +217,20 @@ contains
       if (.not. (half <= huge(half) .and. time <= huge(time))) return
       if (orbit%rise(time + half) > orbit%rise(time)) time = time + half
       if (time > half) time = time - 2*half
-      plane = orbit%azimuth(time) - orbit%apsidal_rate()*time - physics%frame_rate*at
+      plane = line_at(time)
+      if (abs(time) < far*half) return
+      ! Halfway between two of them little decides which is the nearest.
+      other = line_at(time - sign(2*half, time))
+      if (abs(other - next_to) < abs(plane - next_to)) plane = other
+
+   contains
+
+      real(wp) function line_at(time) result(line)
+         real(wp), intent(in) :: time
+
+         line = orbit%azimuth(time) - physics%frame_rate*at
+         line = line + pi*anint((next_to - line)/pi)
+      end function line_at
    end function plane_of
 
    !> Period to and fro with l = g = 1.

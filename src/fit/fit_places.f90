@@ -9,6 +9,7 @@ module kyvadlo_fit_places
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_numbers, only: is_nan
    use kyvadlo_orbit_real64, only: new_orbit_from_release, orbit_type
+   use kyvadlo_quantiles, only: median
    use kyvadlo_scene_groups
    use kyvadlo_status, only: error_type
    implicit none
@@ -81,6 +82,7 @@ contains
          end do
       end do
       model%all = model%all(:n)
+      model%is_ascending = all(model%all(2:)%time >= model%all(:n - 1)%time)
       if (data%has_sigma(column_t) .or. request%sigma(column_t) > 0) then
          allocate (model%time_sigma(data%rows), model%delay(data%rows))
          model%delay = 0
@@ -91,7 +93,7 @@ contains
       model%loss = request%loss
       model%loss_scale = request%loss_scale
       call new_unknowns(model%motion, request, .not. any(data%has([column_x, column_y, column_z, column_azimuth, &
-         column_u, column_v, column_plane])))
+         column_u, column_v, column_tension, column_plane])))
       k = count([(request%free(i)%prior_sigma > 0, i=1, size(request%free))])
       if (k > 0) then
          allocate (model%prior(k), model%prior_value(k), model%prior_sigma(k))
@@ -290,6 +292,17 @@ contains
       else if (has(column_angle)) then
          column(1) = column_angle
          view%is_angle = .true.
+      else if (has(column_azimuth)) then
+         ! Its cosine and its sine.
+         column(:2) = column_azimuth
+         view%is_azimuth = .true.
+      else if (has(column_tension)) then
+         column(1) = column_tension
+         view%is_tension = .true.
+      else if (has(column_plane)) then
+         ! Of twice the angle, whose half turns count for nothing.
+         column(:2) = column_plane
+         view%is_line = .true.
       end if
       where (column > 0) column = merge(column, 0, has(max(column, 1)))
       view%has = column > 0
@@ -306,6 +319,12 @@ contains
             end if
          end do
       end do
+      if (view%is_azimuth .or. view%is_line) then
+         where (table(:, 1) > -huge(1.0_wp))
+            table(:, 2) = sin(merge(2, 1, view%is_line)*table(:, 1))
+            table(:, 1) = cos(merge(2, 1, view%is_line)*table(:, 1))
+         end where
+      end if
       rows = pack([(i, i=1, n)], all(table > -huge(1.0_wp) .or. spread(column == 0, 1, n), 2))
       n = size(rows)
       last = n
@@ -340,6 +359,7 @@ contains
       end do
       if (view%is_camera) view%has(1:2) = column(1:2) > 0
       view%axes = model%axes
+      view%usual_gravity = request%number(1, setting_place(pendulum_group, 'gravity'))
       if (.not. is_free(request, pendulum_group, 'length')) view%length = request%number(1, &
          setting_place(pendulum_group, 'length'))
       if (.not. is_free(request, pendulum_group, 'gravity')) view%gravity = request%number(1, &
@@ -439,16 +459,5 @@ contains
       places(1)%number = request%number
       call effect_guesses(request, places(1)%number)
    end subroutine guess_by_periods
-
-   pure real(wp) function median(values)
-      real(wp), intent(in) :: values(:)
-      integer :: i
-
-      median = 0
-      do i = 1, size(values)
-         if (count(values < values(i)) <= size(values)/2 .and. count(values <= values(i)) > size(values)/2) &
-            median = values(i)
-      end do
-   end function median
 
 end module kyvadlo_fit_places

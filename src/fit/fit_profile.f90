@@ -116,7 +116,7 @@ contains
       real(wp), intent(in) :: x(:)
       real(wp), intent(out) :: f(:)
       logical, intent(out) :: failed
-      real(wp), intent(out), optional :: jacobian(:, :)
+      real(wp), intent(out), optional, contiguous :: jacobian(:, :)
       !> Of an unknown in its natural unit; the numbers are short closed forms of them.
       real(wp), parameter :: step = 1e-6_wp
       integer :: j, n

@@ -43,6 +43,7 @@ module kyvadlo_fit_request
       logical :: in_degrees = .false.                 !! The angles of the data
       integer :: loss = loss_squares
       real(wp) :: loss_scale = 1
+      logical :: has_start = .true.                   !! Periods of given amplitudes need none
       logical :: has_camera = .false.
       integer :: axes(2) = [1, 3]                     !! What u and v show
    end type fit_request_type
@@ -231,7 +232,23 @@ contains
       end do
       if (state == 1) call ensure_named(groups, 'velocity')
       if (state == 2) call ensure_named(groups, 'position')
+      do i = 1, size(groups)
+         if (groups(i)%name /= 'pendulum') cycle
+         request%has_start = any_start(groups(i))
+         if (.not. request%has_start) call ensure_named(groups, 'release_angle')
+         return
+      end do
    end subroutine complete_groups
+
+   pure logical function any_start(group) result(has)
+      type(group_type), intent(in) :: group
+      integer :: i
+
+      has = .false.
+      do i = 1, size(group%entries)
+         if (any(starts%first == group%entries(i)%name .or. starts%second == group%entries(i)%name)) has = .true.
+      end do
+   end function any_start
 
    subroutine ensure_named(groups, name)
       type(group_type), intent(inout) :: groups(:)

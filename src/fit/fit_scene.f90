@@ -2,6 +2,7 @@
 module kyvadlo_fit_scene
    use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_fit_result, only: fit_result_type
+   use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, parse_groups
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_scene_groups
@@ -59,6 +60,9 @@ contains
             end associate
          end do
          call put_found(groups(g)%name)
+         ! Of a scene without a start, whose periods were measured: a swing of the largest amplitude.
+         if (groups(g)%name == 'pendulum' .and. .not. request%has_start) text = text//'   release_angle = '// &
+            shortest_text(maxval(result%model%all%amplitude)*180/acos(-1.0_wp))//line_feed
          text = text//'/'//line_feed
       end do
       do i = 1, size(found)

@@ -3,7 +3,7 @@
 !> data, as a start that is right over three periods is right enough for eight.
 module kyvadlo_fit_search
    use kyvadlo_fit_data
-   use kyvadlo_fit_model, only: model_type, use_until
+   use kyvadlo_fit_model, only: count_until, model_type, use_until
    use kyvadlo_fit_physics, only: physics_type
    use kyvadlo_fit_places, only: effect_guesses, guess_places, most_guesses, place_type
    use kyvadlo_fit_request, only: fit_request_type
@@ -13,7 +13,7 @@ module kyvadlo_fit_search
    use kyvadlo_scene_groups
    implicit none
    private
-   public :: search, minimise_all
+   public :: search, is_still, minimise_all
 
 contains
 
@@ -27,10 +27,12 @@ contains
       real(wp), allocatable, intent(out) :: others(:, :, :)  !! Numbers of other minima that were found
       type(place_type) :: places(most_guesses + 1), kept(2*most_guesses)
       type(minimum_type) :: minimum
-      real(wp) :: period
+      real(wp) :: period, little, variation
       integer :: count, i, j, n_kept, steps, done, begun
 
       allocate (x(size(model%motion%of)))
+      little = merge(1e-3_wp, 1e-2_wp, has_sigmas)
+      variation = variation_of(model)
       n_kept = 0
       best%squares = huge(1.0_wp)
       do steps = 1, 4
@@ -101,13 +103,16 @@ contains
          if (n_kept == size(kept)) return
          call follow(model, place, x, 2, minimum, period)
          if (.not. minimum%squares < huge(1.0_wp)) return
+         ! At rest nothing has a slope, and what moves is not explained.
+         if (is_still(model, place%number) .and. .not. looks_good(model, minimum%squares)) return
          n_kept = n_kept + 1
          kept(n_kept) = place
          kept(n_kept)%squares = minimum%squares
          if (minimum%squares < best%squares) best = minimum
       end subroutine try
 
-      !> As good as its sigmas say, to three deviations of chi2; or three starts led to it.
+      !> As good as its sigmas say, to three deviations of chi2; or three starts led to it, and it explains the data but
+      !> for little: else all starts are tried, as several may lead to the same alias.
       logical function is_done()
          real(wp) :: free
          integer :: k, alike
@@ -117,9 +122,34 @@ contains
             if (kept(k)%squares < best%squares*(1 + 1e-6_wp) + 1e-3_wp) alike = alike + 1
          end do
          free = max(1, size(model%all) - size(x))
-         is_done = best%is_found .and. (best%squares < free + 3*sqrt(2*free) .or. alike >= 3)
+         is_done = best%is_found .and. (best%squares < free + 3*sqrt(2*free) .or. (alike >= 3 .and. &
+            (steps == 4 .or. best%squares < little*variation .or. .not. variation > 0)))
       end function is_done
    end subroutine search
+
+   !> The sum of squares about the mean of each column, in sigmas; of events and periods, which have none, 0.
+   pure real(wp) function variation_of(model) result(variation)
+      type(model_type), intent(in) :: model
+      real(wp) :: sums(columns), counts(columns)
+      integer :: i
+
+      variation = 0
+      sums = 0
+      counts = 0
+      do i = 1, size(model%all)
+         associate (one => model%all(i))
+            if (is_event(one%column) .or. one%column == column_period) return
+            sums(one%column) = sums(one%column) + one%value
+            counts(one%column) = counts(one%column) + 1
+         end associate
+      end do
+      sums = sums/max(counts, 1.0_wp)
+      do i = 1, size(model%all)
+         associate (one => model%all(i))
+            variation = variation + ((one%value - sums(one%column))/one%sigma)**2
+         end associate
+      end do
+   end function variation_of
 
    !> By squares.
    subroutine sort(places)
@@ -163,6 +193,21 @@ contains
       looks_good = squares < free*(1.3_wp + 6/sqrt(real(free, wp)))
    end function looks_good
 
+   !> Whether a start is free, and is found to be at rest at the lowest point.
+   pure logical function is_still(model, number)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: number(:, :)
+      real(wp), parameter :: little = 1e-6_wp            !! Of the length, and of the speed of a wide swing
+      real(wp) :: length, speed
+
+      is_still = .false.
+      if (.not. model%motion%has_state) return
+      length = number(1, setting_place(pendulum_group, 'length'))
+      speed = sqrt(length*number(1, setting_place(pendulum_group, 'gravity')))
+      is_still = norm2(number(:2, setting_place(pendulum_group, 'position'))) < little*length .and. &
+         norm2(number(:, setting_place(pendulum_group, 'velocity'))) < little*speed
+   end function is_still
+
    !> Follows a start: stage 1 over the first periods, stage 2 from there to all data.
    subroutine follow(model, place, x, stage, minimum, period)
       type(model_type), intent(inout) :: model
@@ -173,15 +218,21 @@ contains
       real(wp), intent(out) :: period
       real(wp) :: first, last, until, number(3, size(settings)), rates(size(x)), scale, growth
       logical :: was_exact, is_last
-      integer :: rows, window
+      integer :: rows, window, timeless
       integer, parameter :: most_rows = 300
 
       model%motion%number = place%number
       period = 2*acos(-1.0_wp)*sqrt(place%number(1, setting_place(pendulum_group, 'length'))/place%number(1, &
          setting_place(pendulum_group, 'gravity')))
-      first = minval(model%all%time, model%all%time > -huge(first))
-      last = maxval(model%all%time)
-      if (.not. last > -huge(last)) first = last
+      timeless = count_until(model, -huge(first))
+      if (model%is_ascending) then
+         last = model%all(size(model%all))%time
+         first = model%all(min(timeless + 1, size(model%all)))%time
+      else
+         first = minval(model%all%time, model%all%time > -huge(first))
+         last = maxval(model%all%time)
+         if (.not. last > -huge(last)) first = last
+      end if
       was_exact = model%motion%is_exact
       until = first + 2.5_wp*period
       if (stage == 2) until = first + 6*period
@@ -195,14 +246,14 @@ contains
          growth = 1.5_wp
          until = first + 1.5_wp*period
       end if
-      do while (count(model%all%time <= until .and. model%all%time > -huge(first)) < rows .and. until < last)
+      do while (count_until(model, until) - timeless < rows .and. until < last)
          scale = 1.5_wp*scale
          until = first + 2.5_wp*scale*period
       end do
       do window = 1, 40
          is_last = until >= last .or. window == 40
          if (stage == 1 .and. is_last) is_last = .false.
-         rows = count(model%all%time <= until)
+         rows = count_until(model, until)
          if (is_last) then
             call use_until(model, huge(1.0_wp), 1)
          else

@@ -2,12 +2,11 @@
 module kyvadlo_fit_sigmas
    use kyvadlo_chi2, only: chi2_probability
    use kyvadlo_fit_known, only: say_known
-   use kyvadlo_fit_model, only: model_type, predict
    use kyvadlo_fit_physics, only: direction_type, physics_type
    use kyvadlo_fit_request, only: fit_request_type, loss_squares
    use kyvadlo_fit_result, only: fit_result_type
    use kyvadlo_fit_unknowns, only: form_logarithm, form_plain, numbers_at, physics_at, place_at, unknown_position, &
-      unknown_scalar, unknown_velocity
+      unknown_scalar, unknown_velocity, unknowns_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_lapack, only: dgesvd
    use kyvadlo_least_squares, only: triangle_of
@@ -16,7 +15,7 @@ module kyvadlo_fit_sigmas
    use kyvadlo_text, only: append, text_type
    implicit none
    private
-   public :: find_sigmas, name_results, predict_values
+   public :: find_sigmas, name_results
 
 contains
 
@@ -30,7 +29,7 @@ contains
       real(wp) :: s(size(result%x)), vt(size(result%x), size(result%x)), u(1, 1), number(3, size(settings)), natural
       real(wp) :: triangle(size(result%x), size(result%x)), work(20*size(result%x))
       real(wp) :: part, floor, rates(size(result%x)), growth
-      type(model_type) :: model
+      type(unknowns_type) :: motion
       type(physics_type) :: physics
       type(direction_type) :: directions(size(result%x))
       logical :: failed, is_out(size(result%x)), is_plain
@@ -38,21 +37,21 @@ contains
       character(len=:), allocatable :: names
 
       p = size(result%x)
-      model = result%model
+      motion = result%model%motion
       ! By the settings themselves: bounds have no part in sigmas.
-      call numbers_at(model%motion, result%x, number, rates)
-      call physics_at(model%motion, result%x, number, physics, failed)
-      model%motion%number = number
+      call numbers_at(motion, result%x, number, rates)
+      call physics_at(motion, result%x, number, physics, failed)
+      motion%number = number
       do j = 1, p
-         if (model%motion%of(j)%form /= form_logarithm) model%motion%of(j)%form = form_plain
+         if (motion%of(j)%form /= form_logarithm) motion%of(j)%form = form_plain
       end do
-      call place_at(model%motion, result%x)
-      result%model%motion = model%motion
+      call place_at(motion, result%x)
+      result%model%motion = motion
       result%number = number
       call name_results(result, request)
-      m = model%residuals
+      m = result%model%residuals
       allocate (jacobian(p, m), f(m))
-      call model%evaluate(result%x, f, failed, jacobian)
+      call result%model%evaluate(result%x, f, failed, jacobian)
       if (allocated(result%undetermined)) deallocate (result%undetermined)
       n = result%of(size(result%of))%first + result%of(size(result%of))%elements - 1
       if (allocated(result%covariance)) deallocate (result%covariance)
@@ -70,10 +69,10 @@ contains
       result%condition = s(1)/max(s(p), 1e-290_wp*max(s(1), 1.0_wp))
       is_out = s < max(least_singular, rounding*s(1))
       floor = max(rounding*s(1), tiny(1.0_wp))
-      call physics_at(model%motion, result%x, number, physics, failed, directions)
+      call physics_at(motion, result%x, number, physics, failed, directions)
       allocate (d(n, p), parts(n))
       d = 0
-      call numbers_at(model%motion, result%x, number, rates)
+      call numbers_at(motion, result%x, number, rates)
       do i = 1, size(result%of)
          associate (one => result%of(i))
             select case (kind_of(one%setting))
@@ -87,7 +86,7 @@ contains
                end do
             case default
                do j = 1, p
-                  if (model%motion%of(j)%setting == one%setting) d(one%first + model%motion%of(j)%element - 1, j) = &
+                  if (motion%of(j)%setting == one%setting) d(one%first + motion%of(j)%element - 1, j) = &
                      rates(j)
                end do
             end select
@@ -205,7 +204,7 @@ contains
       end do
    end subroutine name_results
 
-   !> Predictions, residuals, chi2 and its probability.
+   !> Predictions, at the delays, residuals, chi2 and its probability: of the evaluation just made.
    subroutine keep_residuals(result, squared)
       type(fit_result_type), intent(inout) :: result
       real(wp), intent(in) :: squared(:)                 !! Whose squares the fit made least
@@ -214,9 +213,7 @@ contains
       integer :: n
 
       n = size(result%model%used)
-      if (allocated(result%predicted)) deallocate (result%predicted, result%residual)
-      allocate (result%predicted(n), result%residual(n))
-      call predict_values(result, result%predicted, failed)
+      result%predicted = result%model%h
       f = squared
       if (result%model%loss /= loss_squares) then
          associate (loss => result%model%loss)
@@ -226,20 +223,9 @@ contains
             loss = n
          end associate
       end if
-      result%residual = -f(:size(result%residual))
+      result%residual = -f(:size(result%model%used))
       result%chi2 = sum(f**2)
       result%p_value = chi2_probability(result%chi2, result%dof)
    end subroutine keep_residuals
-
-   !> Predictions of everything, at the delays.
-   subroutine predict_values(result, h, failed)
-      type(fit_result_type), intent(inout) :: result
-      real(wp), intent(out) :: h(:)
-      logical, intent(out) :: failed
-      real(wp) :: rates(size(h))
-
-      rates = 0
-      call predict(result%model, result%x, h, failed, rates)
-   end subroutine predict_values
 
 end module kyvadlo_fit_sigmas

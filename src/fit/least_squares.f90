@@ -3,6 +3,7 @@ module kyvadlo_least_squares
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funloc, c_funptr, c_int, c_loc, c_ptr, c_size_t
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_lapack, only: dgesvd
+   use kyvadlo_numbers, only: is_finite
    implicit none
    private
    public :: least_squares_type, minimise, minimum_type, polish, triangle_of
@@ -25,7 +26,7 @@ module kyvadlo_least_squares
          real(wp), intent(in) :: x(:)                       !! (unknowns)
          real(wp), intent(out) :: f(:)                      !! (residuals)
          logical, intent(out) :: failed                     !! There are none at x
-         real(wp), intent(out), optional :: jacobian(:, :)  !! (unknowns, residuals)
+         real(wp), intent(out), optional, contiguous :: jacobian(:, :)  !! (unknowns, residuals)
       end subroutine evaluate_problem
    end interface
 
@@ -39,20 +40,20 @@ module kyvadlo_least_squares
    !> What GSL hands on to the two procedures below.
    type :: holder_type
       class(least_squares_type), pointer :: problem => null()
-      logical :: has_begun = .false.
    end type holder_type
 
    interface
-      function gsl_least_squares(n, p, x, residuals, jacobian, params, most, xtol, gtol, ftol, by_cholesky, &
-            accelerate, iterations, info) bind(c, name='kyvadlo_gsl_least_squares') result(status)
+      function gsl_least_squares(n, p, x, residuals, jacobian, params, most, xtol, gtol, ftol, iterations, squares) &
+            bind(c, name='kyvadlo_gsl_least_squares') result(status)
          import :: c_double, c_funptr, c_int, c_ptr, c_size_t
          integer(c_size_t), value :: n, p
          real(c_double), intent(inout) :: x(*)
          type(c_funptr), value :: residuals, jacobian
          type(c_ptr), value :: params
-         integer(c_int), value :: most, by_cholesky, accelerate
+         integer(c_int), value :: most
          real(c_double), value :: xtol, gtol, ftol
-         integer(c_int), intent(out) :: iterations, info
+         integer(c_int), intent(out) :: iterations
+         real(c_double), intent(out) :: squares
          integer(c_int) :: status
       end function gsl_least_squares
    end interface
@@ -72,25 +73,23 @@ contains
       real(wp), intent(in) :: tolerance                     !! Of a step, of the unknowns
       integer, intent(in) :: most                           !! Iterations
       type(holder_type), target :: holder
-      real(wp) :: f(problem%residuals), before(size(x))
-      integer(c_int) :: status, iterations, info
-      logical :: failed
+      real(wp) :: before(size(x))
+      real(c_double) :: squares
+      integer(c_int) :: status, iterations
 
+      if (problem%residuals < size(x)) return
       before = x
-      call problem%evaluate(x, f, failed)
-      if (failed .or. problem%residuals < size(x)) return
       holder%problem => problem
       status = gsl_least_squares(int(problem%residuals, c_size_t), int(size(x), c_size_t), x, &
-         c_funloc(give_residuals), &
-         c_funloc(give_jacobian), c_loc(holder), int(most, c_int), tolerance, 1e-10_wp, 1e-14_wp, &
-         0_c_int, 1_c_int, iterations, info)
+         c_funloc(give_residuals), c_funloc(give_jacobian), c_loc(holder), int(most, c_int), tolerance, 1e-10_wp, &
+         1e-14_wp, iterations, squares)
       minimum%iterations = int(iterations)
-      call problem%evaluate(x, f, failed)
-      if (failed .or. .not. sum(f**2) <= huge(1.0_wp)) then
+      if (.not. (is_finite(squares) .and. all(is_finite(x)))) squares = far
+      if (squares >= far) then
          x = before
          return
       end if
-      minimum%squares = sum(f**2)
+      minimum%squares = squares
       minimum%is_found = status == 0 .or. status == status_no_progress .or. status == status_most
    end subroutine minimise
 
@@ -107,14 +106,15 @@ contains
       real(wp) :: normal(size(x), size(x)), s(size(x)), u(1, 1), vt(size(x), size(x)), work(20*size(x)), g(size(x))
       real(wp) :: scale(size(x)), step(size(x)), y(size(x)), decrement, before, part, squares
       integer :: i, k, p, info
-      logical :: failed
+      logical :: failed, is_seen
 
       p = size(x)
       minimum%is_found = .false.
       if (problem%residuals < p) return
       allocate (jacobian(p, problem%residuals), f(problem%residuals))
+      is_seen = .false.
       do i = 1, most_steps
-         call problem%evaluate(x, f, failed, jacobian)
+         if (.not. is_seen) call problem%evaluate(x, f, failed, jacobian)
          minimum%is_found = .false.
          if (failed) return
          before = sum(f**2)
@@ -151,7 +151,14 @@ contains
          do k = 1, most_halves
             y = x - part*step
             failed = .not. all(abs(y) < far)
-            if (.not. failed) call problem%evaluate(y, f, failed)
+            ! The first step is mostly the one, and with derivatives to go on from; where it is the last they are not
+            ! needed.
+            is_seen = k == 1 .and. .not. minimum%is_found
+            if (is_seen .and. .not. failed) then
+               call problem%evaluate(y, f, failed, jacobian)
+            else if (.not. failed) then
+               call problem%evaluate(y, f, failed)
+            end if
             squares = huge(squares)
             if (.not. failed) squares = sum(f**2)
             if (squares < before) exit
@@ -161,19 +168,35 @@ contains
          x = y
          minimum%squares = squares
          minimum%iterations = minimum%iterations + 1
-         if (before - squares < 1e-12_wp*before) return
+         if (minimum%is_found .or. before - squares < 1e-12_wp*before) return
       end do
    end subroutine polish
 
    pure subroutine normal_equations(jacobian, f, normal, g)
-      real(wp), intent(in) :: jacobian(:, :), f(:)
-      real(wp), intent(out) :: normal(:, :), g(:)
-      integer :: i, j
+      real(wp), intent(in), contiguous :: jacobian(:, :), f(:)
+      real(wp), intent(out), contiguous :: normal(:, :), g(:)
+      integer :: i, j, k, p
+      real(wp) :: a, b, c, d
 
+      p = size(g)
       normal = 0
       g = 0
-      do i = 1, size(f)
-         do j = 1, size(g)
+      ! Four rows at a time: each sum is loaded and stored once for them.
+      do i = 1, size(f) - 3, 4
+         do j = 1, p
+            a = jacobian(j, i)
+            b = jacobian(j, i + 1)
+            c = jacobian(j, i + 2)
+            d = jacobian(j, i + 3)
+            do k = j, p
+               normal(k, j) = normal(k, j) + (a*jacobian(k, i) + b*jacobian(k, i + 1) + c*jacobian(k, i + 2) + &
+                  d*jacobian(k, i + 3))
+            end do
+            g(j) = g(j) + (a*f(i) + b*f(i + 1) + c*f(i + 2) + d*f(i + 3))
+         end do
+      end do
+      do i = size(f) - modulo(size(f), 4) + 1, size(f)
+         do j = 1, p
             normal(j:, j) = normal(j:, j) + jacobian(j, i)*jacobian(j:, i)
          end do
          g = g + f(i)*jacobian(:, i)
@@ -200,7 +223,7 @@ contains
             a(i, :) = jacobian(:, first + i - 1)
          end do
          do k = 1, p
-            length = norm2([triangle(k, k), norm2(a(:n, k))])
+            length = sqrt(triangle(k, k)**2 + dot_product(a(:n, k), a(:n, k)))
             if (.not. length > 0) cycle
             top = triangle(k, k) + sign(length, triangle(k, k))
             triangle(k, k) = -sign(length, triangle(k, k))
@@ -243,7 +266,6 @@ contains
       call c_f_pointer(j, matrix, [holder%problem%unknowns, holder%problem%residuals])
       allocate (f(holder%problem%residuals))
       call holder%problem%evaluate(unknowns, f, failed, matrix)
-      if (.not. failed) failed = .not. all(abs(matrix) <= huge(1.0_wp))
       status = merge(1_c_int, 0_c_int, failed)
    end function give_jacobian
 

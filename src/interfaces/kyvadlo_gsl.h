@@ -1,7 +1,7 @@
 /* kyvadlo: what needs GSL. C99 and C++. Double precision and SI units, thread-safe, nothing to free, as kyvadlo.h says.
 
-   GSL's error handler ends a program; kyvadlo leaves it alone. Turn it off first (gsl_set_error_handler_off()): a failure is then a
-   code. See doc/fitting.md and doc/c_interface.md. */
+   GSL's error handler, which ends a program, is neither changed nor called: a failure is a code. See doc/fitting.md and
+   doc/c_interface.md. */
 #ifndef KYVADLO_GSL_H
 #define KYVADLO_GSL_H
 

@@ -46,6 +46,21 @@ refused 2 'data.csv:3: amplitude must be below half a turn' "$scene" 'period,amp
 refused 2 'prior_length and prior_sigma_length go together' "&pendulum /\n&fit free='length position velocity' prior_length=1 /\n" 't,x\n0,1\n1,0\n2,1\n'
 refused 2 'prior_length and prior_sigma_length go together' "&pendulum /\n&fit free='length position velocity' prior_sigma_length=1 /\n" 't,x\n0,1\n1,0\n2,1\n'
 
+refused 2 'scene.nml:1: &pendulum has no start' "&pendulum length=1 /\n&fit free='gravity' /\n" 't,x\n0,1\n1,0\n2,1\n'
+refused 2 'scene.nml:1: &pendulum has no start' "&pendulum length=1 /\n&fit free='gravity' /\n" 't,x,period,amplitude\n0,1,2,0.1\n1,0,2,0.1\n2,1,2,0.2\n'
+
+# What no pendulum makes has no minimum, however the bob may come to rest: no value, status 1.
+for column in azimuth tension; do
+   for sigma in '' sigma=0.01; do
+      awk -v c=$column 'BEGIN { print "t," c; for (i = 0; i < 60; i++) printf "%.1f,%.4f\n", 0.1*i, 3*sin(1.1*i*i) }' >"$scratch/data.csv"
+      printf "&pendulum length=1 /\n&fit free='position velocity' $sigma /\n" >"$scratch/scene.nml"
+      "$kyvadlo" fit "$scratch/scene.nml" "$scratch/data.csv" --format json >"$scratch/out" 2>"$scratch/error"
+      status=$?
+      [ $status = 1 ] || complain "noise as $column, $sigma: status $status: $(cat "$scratch/error")"
+      grep -q '"converged": false' "$scratch/out" || complain "noise as $column, $sigma: converged"
+   done
+done
+
 # Units: a pendulum of a metre in millimetres is one of a kilometre. Rows further apart than half a period, of which aliases fit.
 printf '&pendulum length=1 gravity=9.81 release_angle=25 /\n&output duration=60 samples=601 quantities="position" /\n' |
    "$kyvadlo" simulate - >"$scratch/swing.csv"

@@ -53,4 +53,27 @@ fit 'tension from a turning frame' "&pendulum length=1.01 position=0.48,0.36,-0.
 data "&pendulum length=1 position=0.6,0,-0.8 velocity=0,0.02,0 / &turning_frame rate=0.3 /" '20 samples=401' 'plane' \
    'NR == 1 { print "t,plane"; next } { printf "%s,%.6f\n", $1, $2 + 0.001*n() }'
 fit 'plane from a turning frame' "&pendulum length=1 position=0.6,0,-0.8 velocity=0,0.02,0 /\n&turning_frame rate=0.31 /\n&fit free='turning_frame.rate' sigma=0.001 /\n" turning_frame.rate=0.3
+
+# Columns that show no position, alone: where the bob is follows from them too, but for what they do not see. `plane` is that of
+# `simulate`, of wide ellipses too: the azimuth of the nearest highest point.
+start='position=0.48,0.36,-0.8 velocity=-0.3,0.4,0'
+data "&pendulum length=1 $start /" '20 samples=201' 'position' \
+   'NR == 1 { print "t,azimuth"; next } { printf "%s,%.6f\n", $1, atan2($3, $2) + 0.01*n() }'
+fit 'azimuth alone' "&pendulum length=1 /\n&fit free='gravity position velocity' sigma=0.01 /\n" \
+   gravity=9.80665 position1=0.48 position2=0.36 velocity1=-0.3 velocity2=0.4
+data "&pendulum length=1 $start /" '20 samples=201' 'tension' 'NR == 1 { print "t,tension"; next } { printf "%s,%.6f\n", $1, $2 + 0.01*n() }'
+fit 'tension alone' "&pendulum length=1 /\n&fit free='gravity position velocity' sigma=0.01 /\n" gravity=9.80665 position3=-0.8
+data "&pendulum length=1 $start /" '20 samples=201' 'plane' 'NR == 1 { print "t,plane"; next } { printf "%s,%.6f\n", $1, $2 + 0.01*n() }'
+fit 'plane of a wide ellipse' "&pendulum length=1 $start /\n&fit free='gravity' sigma=0.01 /\n" gravity=9.80665
+"$kyvadlo" fit "$scratch/scene.nml" "$scratch/data.csv" | grep -q '^chi2/dof = [12]..\.' || complain 'plane of a wide ellipse: chi2'
+data '&pendulum length=1 position=0.3,0.1,-0.9486832980505138 velocity=0.02,-0.06,0 /' '20 samples=201' 'plane' \
+   'NR == 1 { print "t,plane"; next } { printf "%s,%.6f\n", $1, $2 + 0.01*n() }'
+printf "&pendulum length=1 /\n&fit free='position velocity' sigma=0.01 /\n" >"$scratch/scene.nml"
+"$kyvadlo" fit "$scratch/scene.nml" "$scratch/data.csv" | grep -q '^chi2/dof = [12]..\.' || complain 'plane alone'
+
+# Periods of given amplitudes need no start; the scene that is printed has one all the same.
+printf 'period,amplitude\n2.00736,5\n2.01023,10\n2.01504,15\n2.02179,20\n' >"$scratch/data.csv"
+fit 'periods' "&pendulum length=1 /\n&fit free='gravity' units='degrees' sigma=1e-3 /\n" gravity=9.80665
+"$kyvadlo" fit "$scratch/scene.nml" "$scratch/data.csv" | sed -n '/^&pendulum/,$p' | "$kyvadlo" simulate - >"$scratch/out" ||
+   complain 'periods: the fitted scene does not run'
 exit $((bad > 0))

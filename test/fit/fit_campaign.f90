@@ -12,6 +12,7 @@ program fit_campaign
    use kyvadlo_fit, only: fit_measurements, fit_result_type
    use kyvadlo_fit_data, only: fit_data_type, parse_fit_data
    use kyvadlo_fit_request, only: fit_request_type, parse_fit_request
+   use kyvadlo_quantiles, only: median
    use kyvadlo_status, only: error_type
    use synthetic_sets, only: new_set, predict, report, set_type
    implicit none
@@ -233,17 +234,6 @@ contains
       end do
       sigmas = sqrt([(dot_product(r(i, :), matmul(inverse, r(i, :))), i=1, size(r, 1))])
    end function least_sigmas
-
-   real(wp) function median(values)
-      real(wp), intent(in) :: values(:)
-      integer :: i
-
-      median = 0
-      do i = 1, size(values)
-         if (count(values < values(i)) <= size(values)/2 .and. count(values <= values(i)) > size(values)/2) &
-            median = values(i)
-      end do
-   end function median
 
    subroutine write_set(case, seed)
       integer, intent(in) :: case, seed

@@ -26,14 +26,25 @@ static const double angles[11][4] = { /* t, sigma_t, angle, sigma_angle */
 static const char *scene = "&pendulum length=1 /\n"
   "&fit free='gravity release_angle' prior_gravity=40 prior_sigma_gravity=20 /\n";
 
+static int handled = 0;
+
+static void handler(const char *reason, const char *file, int line, int code)
+{
+  (void) code;
+  ++handled;
+  printf("GSL's handler was called: %s:%d: %s\n", file, line, reason);
+}
+
 int main(void)
 {
   double values[8], sigmas[8], same[8];
   char message[300], table[1000] = "t,sigma_t,angle,sigma_angle\n", *end;
   kyvadlo_fit_summary summary;
+  double still[30][2];
   int i, code;
 
-  gsl_set_error_handler_off();
+  /* No fit calls GSL's error handler, which would end a program that left it alone. */
+  gsl_set_error_handler(handler);
   code = kyvadlo_fit_rows(scene, "t sigma_t angle sigma_angle", 11, angles[0], 8, values, sigmas, &summary, message, sizeof message);
   check(code == KYVADLO_OK && message[0] == 0 && summary.converged == 1 && summary.numbers == 2, "the published case is fitted");
   check(fabs(values[0] - 39.82) < 0.005 && fabs(sigmas[0] - 0.87) < 0.005, "g/l is 39.82(87)");
@@ -78,6 +89,24 @@ int main(void)
   same[0] = INFINITY;
   code = kyvadlo_fit_rows(scene, "t", 1, same, 8, values, sigmas, NULL, message, sizeof message);
   check(code == KYVADLO_INPUT, "an infinite number in an array");
+
+  /* Searches with nothing to go on: a bob at rest, whose derivatives are zero; wild numbers; in air, integrated. */
+  for (i = 0; i < 30; i++) {
+    still[i][0] = 0.1*i;
+    still[i][1] = i%2 ? 1e-3 : -1e-3;
+  }
+  code = kyvadlo_fit_rows("&pendulum length=1 release_angle=0 /\n&fit free='length gravity' sigma=1 /\n", "t azimuth", 30, still[0], 8,
+    values, sigmas, &summary, message, sizeof message);
+  check(code == KYVADLO_NO_MINIMUM || code == KYVADLO_OK, "a bob at rest");
+  for (i = 0; i < 30; i++)
+    still[i][1] = 1e5*sin(1e3*i*i);
+  code = kyvadlo_fit_rows("&pendulum /\n&fit free='length gravity position velocity' sigma=1e-3 /\n", "t x", 30, still[0], 8,
+    values, sigmas, &summary, message, sizeof message);
+  check(code == KYVADLO_NO_MINIMUM || code == KYVADLO_OK, "numbers that no pendulum makes");
+  code = kyvadlo_fit_rows("&pendulum release_angle=10 /\n&air linear=1e-3 /\n&fit free='length linear' sigma=1 /\n", "t x", 30,
+    still[0], 8, values, sigmas, &summary, message, sizeof message);
+  check(code == KYVADLO_NO_MINIMUM || code == KYVADLO_OK, "numbers that no pendulum in air makes");
+  check(handled == 0, "GSL's error handler was never called");
 
   printf("%d passed, %d failed\n", passes, failures);
   return failures > 0;
