@@ -27,6 +27,9 @@ module kyvadlo_forces
       real(wp) :: inertia = 1     !! Mass moved over the mass of the bob
       logical :: has_drag = .false., has_turn = .false., has_moving_pivot = .false., is_elastic = .false.
       logical :: has_hoist = .false.
+      logical :: has_pivot_table = .false.
+      integer :: pivot_axes(2) = [1, 0]           !! The first and the last along which it swings
+      real(wp) :: pivot_rate(3) = 0, pivot_pull(3) = 0  !! 2 pi frequency, and its square times -amplitude [1/s], [m/s2]
       logical :: needs_pivot_velocity = .false.   !! For drag, Coriolis's acceleration or the work of the pivot
       logical :: is_beyond = .false.  !! The drag of a sphere was asked for beyond its curve
       real(wp) :: until = huge(1.0_wp)        !! Where the present pieces of tables end [s]
@@ -43,6 +46,7 @@ contains
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity    !! [m], [m/s2]
       type(error_type), allocatable, intent(out) :: error
+      real(wp), parameter :: two_pi = 2*acos(-1.0_wp)
       character(len=50) :: got
 
       if (.not. (length > 0 .and. gravity > 0 .and. is_finite(length) .and. is_finite(gravity))) then
@@ -58,6 +62,11 @@ contains
       forces%has_drag = has_drag(effects)
       forces%has_turn = any(abs(effects%turn_rate) > 0)
       forces%has_moving_pivot = has_moving_pivot(effects)
+      forces%has_pivot_table = allocated(effects%pivot_times) .or. allocated(effects%pivot_curve%times)
+      forces%pivot_rate = two_pi*effects%pivot_frequency
+      forces%pivot_pull = -effects%pivot_amplitude*forces%pivot_rate**2
+      if (any(abs(effects%pivot_amplitude) > 0)) forces%pivot_axes = [findloc(abs(effects%pivot_amplitude) > 0, .true.), &
+         findloc(abs(effects%pivot_amplitude) > 0, .true., back=.true.)]
       forces%is_elastic = effects%stiffness > 0
       forces%needs_pivot_velocity = forces%has_moving_pivot
       forces%has_more = forces%has_drag .or. forces%has_turn .or. forces%has_moving_pivot .or. forces%inertia > 1
@@ -159,8 +168,12 @@ contains
          ! A step evaluates three times at its end.
          if (abs(time - forces%pivot_time) > 0) then
             forces%pivot_time = time
-            call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
-               forces%needs_pivot_velocity, forces%until)
+            if (forces%has_pivot_table) then
+               call pivot_rates(forces%effects, time, forces%pivot_acceleration, forces%pivot_velocity, &
+                  forces%needs_pivot_velocity, forces%until)
+            else
+               call swing_pivot(forces, time)
+            end if
          end if
          if (forces%needs_pivot_velocity) then
             u = u + forces%pivot_velocity(1)
@@ -205,6 +218,21 @@ contains
          az = az - forces%pivot_acceleration(3)
       end if
    end subroutine add_forces
+
+   !> `pivot_rates` of a pivot without a table, the same bits: what does not change with time is not formed again.
+   pure subroutine swing_pivot(forces, time)
+      type(forces_type), intent(inout) :: forces
+      real(wp), intent(in) :: time
+      real(wp) :: angle
+      integer :: i
+
+      do i = forces%pivot_axes(1), forces%pivot_axes(2)
+         angle = forces%pivot_rate(i)*time + forces%effects%pivot_phase(i)
+         forces%pivot_acceleration(i) = forces%pivot_pull(i)*cos(angle)
+         if (forces%needs_pivot_velocity) forces%pivot_velocity(i) = -forces%effects%pivot_amplitude(i)* &
+            forces%pivot_rate(i)*sin(angle)
+      end do
+   end subroutine swing_pivot
 
    !> Energy in the laboratory per mass of the bob: of motion, fluid moved included; of height above the origin, less
    !> buoyancy; of the spring. It changes by the work of drag, pivot and winch, and by what is lost where a string
