@@ -9,6 +9,7 @@ module kyvadlo_bench_scenes
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: parse_simulation, simulation_type
    use kyvadlo_simulation_path, only: choose_path, path_type
+   use kyvadlo_bench_text, only: bench_text
    use kyvadlo_stopwatch, only: median, nanoseconds_since
    use kyvadlo_text, only: counting_sink_type
    implicit none
@@ -62,6 +63,7 @@ contains
       call print_row('... with energy, tension and azimuth', scene_more, kernel_rates)
       call print_row('... of a slack string', string_rates, kernel_rates)
       call print_row('... as CSV, seven columns', lines_rates, kernel_rates)
+      call bench_text(unit, passes, checksum)
       write (unit, '(a,es22.15)') 'Sum of all values computed: ', checksum
 
    contains
@@ -90,7 +92,7 @@ contains
       case (scene_rates)
          call run_scene(wide, 'position velocity', samples, .false., time, checksum)
       case (scene_more)
-         call run_scene(wide, 'position velocity energy tension azimuth', written, .false., time, checksum)
+         call run_scene(wide, 'position velocity energy tension azimuth', samples/4, .false., time, checksum)
       case (string_rates)
          call run_scene(slack, 'position velocity', samples, .false., time, checksum)
       case default

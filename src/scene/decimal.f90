@@ -29,7 +29,6 @@ module kyvadlo_decimal
    integer(int64), parameter :: five_low(0:30) = [iand(powers_of_five, digit_mask), &
       359414837200037393_int64, 1797074186000186965_int64, 4373684911573546921_int64]
    integer(int64), parameter :: five_high(0:30) = [shiftr(powers_of_five, 2*piece), 8_int64, 40_int64, 201_int64]
-   real(real64), parameter :: log10_of_two = log10(2.0_real64)
    !> 00 01 02 ... 99
    character(len=*), parameter :: pairs = &
       '0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849'// &
@@ -48,17 +47,20 @@ contains
       character(len=*), intent(inout) :: text    !! At least `longest_decimal` places
       integer, intent(out) :: length
       type(long_type) :: five, product, bound
-      integer(int64) :: m, centre, above, below, lowest, highest, low, high, first, number, unit
-      integer :: order, scaling, shift, zeros, count
+      integer(int64) :: m, centre, above, below, lowest, highest, high, first, number, unit
+      integer :: power, order, scaling, shift, zeros, count
       logical :: is_even, is_power_of_two, is_half, ends_above, ends_below
 
       length = 0
       if (value /= value) return
       if (.not. (abs(value) >= smallest .and. abs(value) < largest)) return
-      m = int(scale(fraction(abs(value)), bits), int64)
-      order = floor((exponent(value) - 1)*log10_of_two)   ! that of the value, or one less: -14 to 14
+      ! m and e from the bits: the functions of the language are calls.
+      m = transfer(value, m)
+      power = int(ibits(m, bits - 1, 11)) - (maxexponent(value) - 1)   ! value is 1 to 2 times 2**power
+      m = ior(ibits(m, 0, bits - 1), shiftl(1_int64, bits - 1))
+      order = shifta(78913*power, 18)                     ! that of the value, or one less, by log10(2): -14 to 14
       scaling = 16 - order                                ! value*10**scaling has 17 or 18 figures
-      shift = -(exponent(value) - bits) - scaling         ! 2 m 5**scaling/2**shift is four times that
+      shift = bits - 1 - power - scaling                  ! 2 m 5**scaling/2**shift is four times that
       is_even = iand(m, 1_int64) == 0
       ! Below a power of two the interval is half as long.
       is_power_of_two = m == 2_int64**(bits - 1)
@@ -75,32 +77,34 @@ contains
       call divide(minus(product, five), shift, below, ends_below)
 
       ! Whole numbers in the interval; its ends belong to it where a tie is rounded to this value.
-      low = shiftr(centre, 1)
+      first = shiftr(centre, 1)
       highest = shiftr(above, 1)
       if (.not. is_even .and. ends_above .and. iand(above, 1_int64) == 0) highest = highest - 1
       lowest = shiftr(below, 1)
       if (.not. (is_even .and. ends_below .and. iand(below, 1_int64) == 0)) lowest = lowest + 1
 
-      do zeros = 1, 17
-         unit = powers_of_ten(zeros)
-         if (highest - mod(highest, unit) < lowest) exit
+      ! Step by step: a division by a constant is a multiplication, one by a power that is looked up is not.
+      zeros = 0
+      do while (zeros < 17)
+         high = highest/10
+         if (high < (lowest + 9)/10) exit
+         highest = high
+         lowest = (lowest + 9)/10
+         first = first/10
+         zeros = zeros + 1
       end do
-      zeros = zeros - 1
       unit = powers_of_ten(zeros)
-      first = low/unit
-      low = first*unit
-      high = low + unit
       number = first
-      if (low < lowest) then
+      if (first < lowest) then
          number = first + 1
-      else if (high <= highest) then
+      else if (first < highest) then
          ! Twice the distance from the lower one, against the distance of the two.
-         centre = centre - 2*low
+         centre = centre - 2*(first*unit)
          if (centre > unit .or. (centre == unit .and. .not. (is_half .and. iand(first, 1_int64) == 0))) &
             number = first + 1
       end if
 
-      count = 1
+      count = max(1, 16 - zeros)
       do while (count < 18)
          if (number < powers_of_ten(count)) exit
          count = count + 1

@@ -194,7 +194,8 @@ contains
 
       call put_shortest(value, buffer(used + 1:), length)
       if (length == 0 .and. value == value) then
-         text = padded_shortest(value + 0.0_wp)  ! zero without a sign
+         text = '0e+00'                          ! zero without a sign
+         if (abs(value) > 0) text = padded_shortest(value)
          length = len_trim(text)
          buffer(used + 1:used + length) = text
       end if

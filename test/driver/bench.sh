@@ -14,8 +14,10 @@ expect_match '^sn cn dn .*[0-9]'
 run --scenes --quick
 expect_status 0
 expect_match '^positions and velocities: scene .*[0-9]'
+expect_match '^rows of CSV .*[0-9] times that$'
 run --motion --quick
 expect_status 0
+expect_match 'x86-64  *> 1/2  *azimuth, turns counted .*[0-9]'
 expect_match 'x86-64  *> 1/2  *position and velocity .*[0-9]'
 expect_match '^T alone .*[0-9]'
 expect_match '^separatrix  *1000 periods.*[0-9]'
