@@ -1,7 +1,7 @@
 !> GSL's quadrature for the facade kyvadlo_gsl, straight onto libgsl.
 module kyvadlo_gsl_quadrature
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr, &
-      c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_funptr, c_int, c_null_funptr, &
+      c_null_ptr, c_ptr, c_size_t
    implicit none
    private
    public :: fgsl_function, fgsl_function_init, fgsl_function_free
