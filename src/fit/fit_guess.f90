@@ -109,12 +109,11 @@ contains
          120.0_wp, 135.0_wp, 150.0_wp, 163.0_wp, 173.0_wp]
       real(wp), parameter :: parts(*) = [0.005_wp, 0.15_wp, 0.35_wp, 0.55_wp, 0.75_wp, 0.95_wp]
       real(wp), parameter :: nearby(*) = [1.0_wp, 0.94_wp, 1.06_wp]
-      integer, parameter :: phases = 12
       real(wp) :: peaks(3), rate, upper, lower, rates(30)
       real(wp), allocatable :: columns(:, :), position(:, :), at(:)
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
-      integer :: found, i, j, k, l, p, n, m, tries
+      integer :: found, i, j, k, l, p, n, m, tries, phases, most_alike
 
       n = size(view%times)
       count = 0
@@ -128,6 +127,8 @@ contains
       call frequency_peaks(view%times, columns(:, :m), peaks, found)
       if (level == 1 .and. all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
       if (level == 1) return
+      phases = merge(12, 24, level == 2)
+      most_alike = merge(5, 3, level == 2)
       if (view%is_line) call guess_by_plane(view, guesses, count)
       do i = 1, size(highest)
          do j = 1, size(parts)
@@ -155,8 +156,8 @@ contains
                do p = 0, phases - 1
                   at = rate*(view%times - view%times(1)) + orbit%period()*p/phases
                   call orbit%locate(at, position)
-                  call compare(view, orbit, rate, orbit%period()*p/phases - rate*view%times(1), position, guesses, &
-                     count)
+                  call compare(view, orbit, rate, orbit%period()*p/phases - rate*view%times(1), position, &
+                     most_alike, guesses, count)
                end do
             end do
          end do
@@ -164,10 +165,11 @@ contains
    end subroutine find_guesses
 
    !> Fits turn, size, camera and sense of rotation to the unit motion, and keeps the best.
-   subroutine compare(view, orbit, rate, phase, position, guesses, count)
+   subroutine compare(view, orbit, rate, phase, position, most_alike, guesses, count)
       type(view_type), intent(in) :: view
       type(orbit_type), intent(in) :: orbit
       real(wp), intent(in) :: rate, phase, position(:, :)
+      integer, intent(in) :: most_alike                    !! Of one angle of the camera
       type(guess_type), intent(inout) :: guesses(:)
       integer, intent(inout) :: count
       integer :: n, turn, turns, sense, senses
@@ -182,7 +184,7 @@ contains
       allocate (w(n), d(n))
       if (view%is_camera) then
          d = cmplx(view%seen(:, 1), view%seen(:, 2), wp)
-         turns = merge(1, 12, all(view%axes == [1, 2]))
+         turns = merge(1, 8, all(view%axes == [1, 2]))
          senses = merge(2, 1, turns == 1)
       else if (all(view%has(1:2))) then
          d = cmplx(view%seen(:, 1), view%seen(:, 2), wp)
@@ -202,11 +204,10 @@ contains
             if (view%is_camera .or. all(view%has(1:2))) then
                ! w may be turned and stretched, d = factor w + shift.
                if (view%is_camera .and. turns > 1) then
-                  if (view%axes(1) == 1) then
-                     w = cmplx(cos(across)*position(1, :) - sin(across)*position(2, :), position(3, :), wp)
-                  else
-                     w = cmplx(sin(across)*position(1, :) + cos(across)*position(2, :), position(3, :), wp)
-                  end if
+                  w = seen_from(view, position, across)
+                  call match(view, w, d, size_known, factor, shift)
+                  call turn_best(view, position, d, factor, shift, across)
+                  w = seen_from(view, position, across)
                else
                   w = cmplx(position(1, :), merge(1, -1, sense == 1)*position(2, :), wp)
                   if (view%is_azimuth) w = w/max(abs(w), tiny(1.0_wp))
@@ -270,10 +271,55 @@ contains
                if (guess%misfit >= guesses(count)%misfit) cycle
             end if
             call start_of(orbit, phase, across, merge(1, -1, sense == 1), guess)
-            call insert(guesses, count, guess)
+            if (view%is_camera .and. view%is_turn_free) then
+               call insert(guesses, count, guess, most_alike)
+            else
+               call insert(guesses, count, guess)
+            end if
          end do
       end do
    end subroutine compare
+
+   !> What a camera that looks horizontally sees of a motion turned about the vertical: across, and i up.
+   pure function seen_from(view, position, across) result(w)
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: position(:, :), across
+      complex(wp) :: w(size(position, 2))
+
+      if (view%axes(1) == 1) then
+         w = cmplx(cos(across)*position(1, :) - sin(across)*position(2, :), position(3, :), wp)
+      else
+         w = cmplx(sin(across)*position(1, :) + cos(across)*position(2, :), position(3, :), wp)
+      end if
+   end function seen_from
+
+   !> The turn that fits best with a size, an angle and a shift: the least of a sum of squares along the unit circle of
+   !> its cosine and sine.
+   pure subroutine turn_best(view, position, d, factor, shift, across)
+      type(view_type), intent(in) :: view
+      real(wp), intent(in) :: position(:, :)
+      complex(wp), intent(in) :: d(:), factor, shift
+      real(wp), intent(inout) :: across
+      integer, parameter :: tries = 72
+      real(wp) :: seen(size(d)), by(size(d), 2), a(2, 2), b(2), e(2), squares, least, angle
+      integer :: i
+
+      if (.not. abs(factor) > 0) return
+      seen = real((d - shift)/factor)
+      by(:, 1) = position(view%axes(1), :)
+      by(:, 2) = merge(-position(2, :), position(1, :), view%axes(1) == 1)
+      a = matmul(transpose(by), by)
+      b = matmul(seen, by)
+      least = huge(least)
+      do i = 1, tries
+         angle = 2*pi*i/tries
+         e = [cos(angle), sin(angle)]
+         squares = dot_product(e, matmul(a, e)) - 2*dot_product(b, e)
+         if (squares >= least) cycle
+         least = squares
+         across = angle
+      end do
+   end subroutine turn_best
 
    !> Length and gravity of a rate [1/s] where the data tell no more.
    subroutine take_size(view, rate, guess)

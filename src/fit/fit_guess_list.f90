@@ -52,11 +52,14 @@ contains
    end subroutine start_of
 
    !> Among the best; one like another takes its place or none.
-   subroutine insert(guesses, count, guess)
+   subroutine insert(guesses, count, guess, most_alike)
       type(guess_type), intent(inout) :: guesses(:)
       integer, intent(inout) :: count
       type(guess_type), intent(in) :: guess
-      integer :: i, at
+      !> Of one angle of the camera, but for a half turn: a motion nearly along a line in the picture is explained by
+      !> many swings across the line of sight, and those along it must not be crowded out.
+      integer, intent(in), optional :: most_alike
+      integer :: i, at, alike, worst
 
       if (is_nan(guess%misfit) .or. is_nan(sum(guess%position) + sum(guess%velocity))) return
       do i = 1, count
@@ -69,6 +72,19 @@ contains
          count = count - 1
          exit
       end do
+      if (present(most_alike)) then
+         alike = 0
+         do i = 1, count
+            if (abs(sin(guess%angle - guesses(i)%angle)) > 0.3_wp) cycle
+            alike = alike + 1
+            worst = i
+         end do
+         if (alike >= most_alike) then
+            if (guess%misfit >= guesses(worst)%misfit) return
+            guesses(worst:count - 1) = guesses(worst + 1:count)
+            count = count - 1
+         end if
+      end if
       at = count + 1
       do i = 1, count
          if (guess%misfit < guesses(i)%misfit) then

@@ -24,7 +24,7 @@ module kyvadlo_fit_places
 
    !> Columns of one group have one standard deviation where it is estimated.
    integer, parameter :: sigma_groups(column_period) = [1, 1, 1, 2, 3, 4, 4, 5, 6, 7, 8, 9]
-   integer, parameter :: most_guesses = 16
+   integer, parameter :: most_guesses = 24
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
 contains
@@ -221,14 +221,14 @@ contains
       type(place_type), intent(out) :: places(:)
       integer, intent(out) :: count
       type(view_type) :: view
-      type(guess_type) :: guesses(10)
+      type(guess_type) :: guesses(most_guesses)
       integer :: i
 
       count = 0
       ! Cubics go through short pieces of many rows; the grid compares each of its shapes with all rows.
       call look(model, request, merge(600, 110, level == 1), view)
       if (model%motion%has_state .and. size(view%times) >= 4 .and. any(view%has)) then
-         call find_guesses(view, level, guesses, count)
+         call find_guesses(view, level, guesses(:merge(most_guesses, 10, level == 3)), count)
          do i = 1, count
             places(i)%number = request%number
             associate (guess => guesses(i), number => places(i)%number)

@@ -27,7 +27,7 @@ contains
       real(wp), allocatable, intent(out) :: others(:, :, :)  !! Numbers of other minima that were found
       type(place_type) :: places(most_guesses + 1), kept(2*most_guesses)
       type(minimum_type) :: minimum
-      real(wp) :: period, little, variation
+      real(wp) :: period, little, variation, hopeless
       integer :: count, i, j, n_kept, steps, done, begun
 
       allocate (x(size(model%motion%of)))
@@ -101,7 +101,10 @@ contains
          type(place_type), intent(inout) :: place
 
          if (n_kept == size(kept)) return
-         call follow(model, place, x, 2, minimum, period)
+         ! Nobody waits for what is many times worse than the best.
+         hopeless = huge(hopeless)
+         if (best%is_found) hopeless = 20*max(1.0_wp, best%squares/size(model%all))
+         call follow(model, place, x, 2, minimum, period, hopeless)
          if (.not. minimum%squares < huge(1.0_wp)) return
          ! At rest nothing has a slope, and what moves is not explained.
          if (is_still(model, place%number) .and. .not. looks_good(model, minimum%squares)) return
@@ -209,13 +212,14 @@ contains
    end function is_still
 
    !> Follows a start: stage 1 over the first periods, stage 2 from there to all data.
-   subroutine follow(model, place, x, stage, minimum, period)
+   subroutine follow(model, place, x, stage, minimum, period, hopeless)
       type(model_type), intent(inout) :: model
       type(place_type), intent(inout) :: place
       real(wp), intent(inout) :: x(:)
       integer, intent(in) :: stage
       type(minimum_type), intent(out) :: minimum
       real(wp), intent(out) :: period
+      real(wp), intent(in), optional :: hopeless            !! A sum of squares a residual with which it is given up
       real(wp) :: first, last, until, number(3, size(settings)), rates(size(x)), scale, growth
       logical :: was_exact, is_last
       integer :: rows, window, timeless
@@ -276,6 +280,9 @@ contains
             deallocate (model%pull, model%pull_to)
          end if
          model%motion%is_exact = was_exact
+         if (present(hopeless) .and. .not. is_last) then
+            if (minimum%squares > hopeless*size(model%used)) minimum%squares = huge(1.0_wp)
+         end if
          if (.not. minimum%squares < huge(1.0_wp)) return
          call numbers_of_start(model%motion, x, number, rates)
          place%number = number

@@ -2,6 +2,7 @@
 !> error bars are true, and how near they are to the least that any method can have.
 !>
 !>     fit_campaign SETS [CASE]           the figures; status 1 if one is not what doc/fitting.md says
+!>     fit_campaign SETS CASE --from SEED the seeds from that on
 !>     fit_campaign SETS [CASE] --more    one parameter more is free, and must be named as undetermined
 !>     fit_campaign --write CASE SEED     set.nml and set.csv
 !>
@@ -16,7 +17,7 @@ program fit_campaign
    use kyvadlo_status, only: error_type
    use synthetic_sets, only: new_set, predict, report, set_type
    implicit none
-   integer :: sets, case, only_case, i, faults, seed
+   integer :: sets, case, only_case, i, faults, seed, first_seed
    character(len=40) :: word
    logical :: with_more
 
@@ -33,10 +34,15 @@ program fit_campaign
       stop
    end if
    if (word /= '') read (word, *) sets
+   first_seed = 1
    do i = 2, command_argument_count()
       call get_command_argument(i, word)
       if (word == '--more') then
          with_more = .true.
+      else if (word == '--from') then
+         call get_command_argument(i + 1, word)
+         read (word, *) first_seed
+         exit
       else
          read (word, *) only_case
       end if
@@ -67,13 +73,13 @@ contains
 
       right = 0
       near = 0
-      do seed = 1, sets
+      do seed = first_seed, first_seed + sets - 1
          call new_set(set, case, seed, .false.)
-         if (seed == 1) allocate (pulls(size(set%truth), sets), ratios(size(set%truth), sets))
+         if (seed == first_seed) allocate (pulls(size(set%truth), sets), ratios(size(set%truth), sets))
          call cpu_time(begun)
          call fit(set, result, fault)
          call cpu_time(ended)
-         milliseconds(seed) = 1e3_wp*(ended - begun)
+         milliseconds(seed - first_seed + 1) = 1e3_wp*(ended - begun)
          if (fault == '') then
             call numbers_of(result, values, sigmas)
             pull = (values - set%truth)/sigmas
