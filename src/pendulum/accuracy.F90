@@ -7,6 +7,7 @@
 !>     grade_single real32 vectors, harmonics 0 to 2 of the theta series
 !>     grade_short  real64 vectors, harmonics 0 to 2, shorter sines
 !>     grade_full   real64 vectors as in `locate` without an accuracy
+!>     fine         real64 vectors in double-double arithmetic, up to 2**31 half periods
 !>     real128      the scalar form
 !>
 !> The first two reduce the time by the period in plain real64, which limits the span.
@@ -20,9 +21,13 @@ module kyvadlo_accuracy
    use, intrinsic :: iso_fortran_env, only: real128
    use kyvadlo_orbit_real128, only: orbit_type_real128 => orbit_type
 #endif
-   use kyvadlo_accuracy_bounds, only: error_bounds, accuracy_finest_double, accuracy_finest_quad, half_periods
+   use kyvadlo_accuracy_bounds, only: error_bounds, accuracy_finest_double, accuracy_finest_double_double, &
+      accuracy_finest_quad, half_periods
    use kyvadlo_orbit, only: check_sizes
    use kyvadlo_batch_constants
+   use kyvadlo_double_double_batch, only: locate_double_double, double_double_limit
+   use kyvadlo_double_double_constants, only: wide_batch_type
+   use kyvadlo_double_double_start, only: new_double_double
    use kyvadlo_motion_kinds, only: motion_none
    use kyvadlo_numbers_real64, only: is_nan, quiet_nan
    use kyvadlo_orbit_real64, only: orbit_type
@@ -31,7 +36,7 @@ module kyvadlo_accuracy
    implicit none
    private
    public :: accurate_orbit_type, new_orbit_to_accuracy
-   public :: accuracy_finest_double, accuracy_finest_quad, accuracy_coarsest
+   public :: accuracy_finest_double, accuracy_finest_double_double, accuracy_finest_quad, accuracy_coarsest
 
    !> A coarser wish is taken for a mistake: 3 for 1e-3.
    real(real64), parameter :: accuracy_coarsest = 0.1_real64
@@ -43,16 +48,18 @@ module kyvadlo_accuracy
    !> An orbit and how to evaluate it. Read-only after set-up; any thread may use it.
    type :: accurate_orbit_type
       type(orbit_type) :: orbit                            !! In double precision: kernel, T and advance to the accuracy
+      type(wide_batch_type), allocatable :: fine           !! Allocated if double-double arithmetic is the cheapest
       type(orbit_type_real128), allocatable :: wide        !! Allocated if only real128 keeps the accuracy
       real(real64) :: accuracy = 0                         !! As asked for
       real(real64) :: span = 0                             !! As asked for [s]
       real(real64) :: bound = 0                            !! Bound of the position error by the error model, in l
    contains
       procedure, non_overridable :: period => period_to_accuracy
-      procedure, non_overridable :: choice_text, kind_text
+      procedure, non_overridable :: choice_text, kind_text, is_beyond_double, take_wide
       procedure, non_overridable, private :: locate_to_accuracy
       generic :: locate => locate_to_accuracy
 #ifndef KYVADLO_NO_REAL128
+      procedure, non_overridable :: period_real128, locate_at_real128
       procedure, non_overridable, private :: locate_to_accuracy_real128
       generic :: locate => locate_to_accuracy_real128
 #endif
@@ -96,10 +103,15 @@ contains
       if (.not. allocated(error)) then
          call choose(plan, .false., is_kept)
          if (is_kept) return
+         call set_up_fine(plan, start, length, gravity, first, second, rest, is_kept, error)
+         if (is_kept) return
+      end if
+      if (.not. allocated(error)) then
 #ifdef KYVADLO_NO_REAL128
          call fail(error, code_domain, &
-            'new_orbit_to_accuracy: this build has no quadruple precision, and double precision '// &
-            'keeps an accuracy of '//text(accuracy_finest_double)//' and 2**52 half periods, got accuracy '// &
+            'new_orbit_to_accuracy: this build has no quadruple precision; an accuracy of '// &
+            text(accuracy_finest_double)//' is kept for 2**52 half periods, and one of '// &
+            text(accuracy_finest_double_double)//' for 2**31 where there is a period, got accuracy '// &
             text(accuracy)//' and '// text(half_periods(plan%orbit, plan%span))//' half periods')
 #else
          allocate (plan%wide)
@@ -182,73 +194,26 @@ contains
       is_kept = plan%bound <= plan%accuracy .and. half_periods(plan%orbit, plan%span) <= 1/epsilon(1.0_real64)
    end subroutine choose
 
-   !> Leaves the harmonics above `highest` out of a kernel. In powers of u the highest power belongs to the highest
-   !> harmonic alone, which is taken off with its lower powers too.
-   pure subroutine drop_harmonics(b, highest)
-      type(batch_type), intent(inout) :: b
-      integer, intent(in) :: highest
-      integer :: n, i
+   !> Double-double arithmetic where it keeps the accuracy.
+   pure subroutine set_up_fine(plan, start, length, gravity, first, second, rest, is_kept, error)
+      type(accurate_orbit_type), intent(inout) :: plan
+      integer, intent(in) :: start
+      real(real64), intent(in) :: length, gravity, first(:), second(:), rest
+      logical, intent(out) :: is_kept
+      type(error_type), allocatable, intent(out) :: error
 
-      do n = 3, highest + 1, -1
-         do i = 0, 1
-            call drop_odd(b%odd(i))
-            if (b%form == form_direct_odd) then
-               call drop_odd(b%even(i))
-            else
-               call drop(b%even(i)%cosine, even_cosines(:, n), n)
-               call drop(b%even(i)%sine, even_sines(:, n), n - 1)
-               call drop(b%even(i)%cosine_slope, even_sines(:, n), n - 1)
-               call drop(b%even(i)%sine_slope, even_cosines(:, n), n)
-            end if
-         end do
-      end do
+      is_kept = plan%accuracy >= accuracy_finest_double_double
+      if (.not. is_kept) return
+      allocate (plan%fine)
+      call new_double_double(plan%fine, start, length, gravity, first, second, rest, &
+         [plan%orbit%start_phase%high, plan%orbit%start_phase%low], error)
+      is_kept = .not. allocated(error)
+      if (is_kept) is_kept = plan%fine%form /= form_scalar .and. plan%span <= double_double_limit(plan%fine)
+      plan%bound = accuracy_finest_double_double
+      if (.not. is_kept) deallocate (plan%fine)
+   end subroutine set_up_fine
 
-   contains
-
-      pure subroutine drop_odd(wave)
-         type(wave_type), intent(inout) :: wave
-
-         call drop(wave%cosine, odd_cosines(:, n), n)
-         call drop(wave%sine, odd_sines(:, n), n)
-         call drop(wave%cosine_slope, odd_sines(:, n), n)
-         call drop(wave%sine_slope, odd_cosines(:, n), n)
-      end subroutine drop_odd
-
-      pure subroutine drop(a, harmonic, power)
-         real(real64), intent(inout) :: a(0:3)
-         real(real64), intent(in) :: harmonic(0:3)
-         integer, intent(in) :: power  !! The highest of the harmonic
-
-         a(:power - 1) = a(:power - 1) - a(power)/harmonic(power)*harmonic(:power - 1)
-         a(power) = 0
-      end subroutine drop
-   end subroutine drop_harmonics
-
-   !> Numbers that real32 would flush, or whose squares it would, are nothing beside the accuracy; in hyperbolic sums
-   !> they grow, and only what real32 cannot hold goes.
-   pure subroutine clear_smallest(kernel)
-      type(batch_type), intent(inout) :: kernel
-      real(real64) :: least
-      integer :: i
-
-      least = real(tiny(1.0_real32), real64)
-      if (kernel%form /= form_dual) least = 2*sqrt(least)
-      do i = 0, 1
-         call clear(kernel%odd(i))
-         call clear(kernel%even(i))
-      end do
-
-   contains
-
-      pure subroutine clear(wave)
-         type(wave_type), intent(inout) :: wave
-
-         where (abs(wave%cosine) < least) wave%cosine = 0
-         where (abs(wave%sine) < least) wave%sine = 0
-         where (abs(wave%cosine_slope) < least) wave%cosine_slope = 0
-         where (abs(wave%sine_slope) < least) wave%sine_slope = 0
-      end subroutine clear
-   end subroutine clear_smallest
+#include "accuracy_harmonics.inc"
 
 #ifndef KYVADLO_NO_REAL128
    !> Whether real128 keeps it: what the start allows, and times that can still be told apart.
@@ -269,6 +234,7 @@ contains
       type(orbit_type) :: never_set_up
 
       if (allocated(plan%wide)) deallocate (plan%wide)
+      if (allocated(plan%fine)) deallocate (plan%fine)
       plan%orbit = never_set_up
       plan%bound = quiet_nan
    end subroutine spoil
@@ -279,7 +245,9 @@ contains
       character(len=34) :: words
 
       associate (b => plan%orbit%kernel)
-         if (allocated(plan%wide)) then
+         if (allocated(plan%fine)) then
+            words = 'double-double vectors'
+         else if (allocated(plan%wide)) then
             words = 'real128'
          else if (plan%orbit%motion == motion_none) then
             words = 'none'
@@ -301,7 +269,7 @@ contains
 
       name = 'real64'
       if (plan%orbit%kernel%grade == grade_single) name = 'real32'
-      if (allocated(plan%wide)) name = 'real128'
+      if (allocated(plan%wide) .and. .not. allocated(plan%fine)) name = 'real128'
    end function kind_text
 
    !> A number in a message.
@@ -318,7 +286,8 @@ contains
    end function text
 
    !> Positions (and velocities) at many times to the accuracy of the set-up: as `locate` of an orbit. Rounding to
-   !> real64 may add half a last digit of a coordinate where the accuracy is finer than that.
+   !> real64 may add half a last digit of a coordinate where the accuracy is finer than that. In double-double
+   !> arithmetic NaN beyond 2**31 half periods.
    subroutine locate_to_accuracy(plan, time, x, y, z, vx, vy, vz, highest_level, threads)
       class(accurate_orbit_type), intent(in) :: plan
       real(real64), intent(in) :: time(:)                             !! [s] (n)
@@ -330,7 +299,7 @@ contains
       integer :: first, last, n
       logical :: fit
 
-      if (.not. allocated(plan%wide)) then
+      if (.not. (allocated(plan%wide) .or. allocated(plan%fine))) then
          if (present(vx) .or. present(vy) .or. present(vz)) then
             call plan%orbit%locate(time, x, y, z, vx, vy, vz, highest_level, threads)
          else
@@ -344,6 +313,14 @@ contains
          call check_sizes(size(time), fit, x, y, z)
       end if
       if (.not. fit) return
+      if (allocated(plan%fine)) then
+         if (present(vx)) then
+            call locate_double_double(plan%fine, time, x, y, z, vx, vy, vz, highest_level, threads)
+         else
+            call locate_double_double(plan%fine, time, x, y, z, highest_level=highest_level, threads=threads)
+         end if
+         return
+      end if
       allocate (placed(min(size(time), strip), 6))
       do first = 1, size(time), strip
          last = min(size(time), first + strip - 1)
@@ -375,8 +352,11 @@ contains
       real(real64), allocatable :: placed(:, :)
       logical :: fit
 
-      if (allocated(plan%wide)) then
-         call plan%wide%locate(real(time, real128), x, y, z, vx, vy, vz, threads=threads)
+      if (plan%is_beyond_double() .and. present(vx)) then
+         call plan%locate_at_real128(real(time, real128), x, y, z, vx, vy, vz, threads=threads)
+         return
+      else if (plan%is_beyond_double()) then
+         call plan%locate_at_real128(real(time, real128), x, y, z, threads=threads)
          return
       end if
       call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
@@ -395,7 +375,69 @@ contains
       y = placed(:, 2)
       z = placed(:, 3)
    end subroutine locate_to_accuracy_real128
+
+   !> The same at times in real128, where `is_beyond_double`.
+   subroutine locate_at_real128(plan, time, x, y, z, vx, vy, vz, threads)
+      class(accurate_orbit_type), intent(in) :: plan
+      real(real128), intent(in) :: time(:)                             !! [s] (n)
+      real(real128), intent(out), dimension(:) :: x, y, z              !! [m] (n)
+      real(real128), intent(out), dimension(:), optional :: vx, vy, vz !! [m/s] (n), all three or none
+      integer, intent(in), optional :: threads  !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
+      logical :: fit
+
+      if (present(vx) .or. present(vy) .or. present(vz)) then
+         call check_sizes(size(time), fit, x, y, z, vx, vy, vz)
+         if (.not. fit) return
+         if (allocated(plan%fine)) then
+            call locate_double_double(plan%fine, time, x, y, z, vx, vy, vz, threads=threads)
+         else
+            call plan%wide%locate(time, x, y, z, vx, vy, vz, threads=threads)
+         end if
+      else
+         call check_sizes(size(time), fit, x, y, z)
+         if (.not. fit) return
+         if (allocated(plan%fine)) then
+            call locate_double_double(plan%fine, time, x, y, z, threads=threads)
+         else
+            call plan%wide%locate(time, x, y, z, threads=threads)
+         end if
+      end if
+   end subroutine locate_at_real128
+
+   !> T, (16) [s], to the accuracy of the set-up.
+   pure real(real128) function period_real128(plan) result(period)
+      class(accurate_orbit_type), intent(in) :: plan
+
+      if (allocated(plan%wide)) then
+         period = plan%wide%period()
+      else if (allocated(plan%fine)) then
+         period = 2*((real(plan%fine%half(3), real128) + plan%fine%half(2)) + plan%fine%half(1))
+      else
+         period = plan%period()
+      end if
+   end function period_real128
 #endif
+
+   !> Whether places are computed with more digits than real64 has, and can be told with them.
+   pure logical function is_beyond_double(plan) result(is_beyond)
+      class(accurate_orbit_type), intent(in) :: plan
+
+      is_beyond = allocated(plan%wide)
+#ifndef KYVADLO_NO_REAL128
+      is_beyond = is_beyond .or. allocated(plan%fine)
+#endif
+   end function is_beyond_double
+
+   !> Takes the orbit from `plan%wide`, which was set up anew: of numbers that have more digits than real64.
+   pure subroutine take_wide(plan)
+      class(accurate_orbit_type), intent(inout) :: plan
+
+#ifndef KYVADLO_NO_REAL128
+      if (allocated(plan%fine)) call new_double_double(plan%fine, plan%wide)
+#else
+      if (allocated(plan%wide)) deallocate (plan%wide)
+#endif
+   end subroutine take_wide
 
    !> T, (16) [s], rounded to real64: of real128 accuracy in `plan%wide`.
    elemental real(real64) function period_to_accuracy(plan) result(period)

@@ -32,6 +32,7 @@ module kyvadlo_orbit_real32
    use kyvadlo_status, only: error_type, fail, code_domain
    use kyvadlo_pairs_real64
 #define has_kernel
+#define real_number real(cp)
 #include "orbit.inc"
 #define number type(pair_type)
 #define rates_name rates_in_pairs

@@ -398,9 +398,11 @@ contains
          simulation%settings%quantities == quantity_tension)) call fail(error, code_input, 'option --accuracy '// &
          'below 1e-16: major, minor, plane, handedness and forces in newtons are computed in double precision')
       ! Figures beyond those of doubles are figures of the decimals that were written, not of the doubles next to them.
-      if (.not. allocated(error) .and. path%figures > 0 .and. allocated(path%plan%wide)) call orbit_in_fluid( &
-         simulation%pendulum, simulation%settings%effects%density_ratio, simulation%settings%effects%added_mass, &
-         path%plan%wide, error)
+      if (allocated(error) .or. path%figures == 0 .or. .not. path%plan%is_beyond_double()) return
+      if (.not. allocated(path%plan%wide)) allocate (path%plan%wide)
+      call orbit_in_fluid(simulation%pendulum, simulation%settings%effects%density_ratio, &
+         simulation%settings%effects%added_mass, path%plan%wide, error)
+      if (.not. allocated(error)) call path%plan%take_wide()
    end subroutine plan_accuracy
 
    !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a

@@ -77,7 +77,7 @@ contains
             call read_number(shortest_text(block%values(i, 1)), t(i), ignored)
          end do
       end if
-      call path%plan%wide%locate(t, x, y, z, vx, vy, vz)
+      call path%plan%locate_at_real128(t, x, y, z, vx, vy, vz)
       call pivot_motion(path%effects, 0.0_wp, displacement, velocity)
       associate (orbit => path%plan%wide, column => block%column, settings => simulation%settings)
          inertia = 1 + real(settings%effects%added_mass, qp)*settings%effects%density_ratio

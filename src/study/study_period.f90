@@ -134,7 +134,7 @@ contains
       type(accurate_orbit_type), intent(in) :: orbit
       character(len=7) :: name
 
-      name = merge('real128', 'real64 ', allocated(orbit%wide))
+      name = merge('real128', 'real64 ', orbit%is_beyond_double())
    end function period_kind
 
    !> A setting: a word, which may be empty, and a number.
@@ -177,8 +177,8 @@ contains
       case (by_accuracy)
          do i = 1, copies
             call set_up_to_accuracy(work%starts(i), work%tolerance, 0.0_real64, accurate, work%has_failed)
-            if (allocated(accurate%wide)) then
-               work%quads(i) = accurate%wide%period()
+            if (accurate%is_beyond_double()) then
+               work%quads(i) = accurate%period_real128()
             else
                work%found(i) = accurate%period()
             end if

@@ -4,7 +4,7 @@
 #   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -P core_alone.cmake
 file(REMOVE_RECURSE ${WORK})
 file(COPY ${SOURCE}/test/checks/core_alone/CMakeLists.txt DESTINATION ${WORK})
-file(COPY ${SOURCE}/src/kinds.f90 ${SOURCE}/src/release.f90 ${SOURCE}/src/status.f90 ${SOURCE}/src/kyvadlo.F90 ${SOURCE}/src/unit_arithmetic.F90 ${SOURCE}/src/unit_orbit.F90 ${SOURCE}/src/arithmetic ${SOURCE}/src/elliptic ${SOURCE}/src/pendulum
+file(COPY ${SOURCE}/src/kinds.f90 ${SOURCE}/src/release.f90 ${SOURCE}/src/status.f90 ${SOURCE}/src/kyvadlo.F90 ${SOURCE}/src/unit_arithmetic.F90 ${SOURCE}/src/unit_orbit.F90 ${SOURCE}/src/unit_double_double.F90 ${SOURCE}/src/arithmetic ${SOURCE}/src/elliptic ${SOURCE}/src/pendulum
   DESTINATION ${WORK}/src)
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_Fortran_FLAGS=-O0
   COMMAND_ERROR_IS_FATAL ANY)
