@@ -30,15 +30,15 @@ module kyvadlo_double_double_start
 
 contains
 
-   !> The constants of an orbit of any start, whose numbers count as they are, in binary. `form_scalar` where there is no
-   !> closed form in polynomials, or where a gap is so small that its last digits leave the range.
+   !> The constants of an orbit of any start, whose numbers count as they are, in binary. `form_scalar` where there is
+   !> no closed form in polynomials, or where a gap is so small that its last digits leave the range.
    pure subroutine from_start(b, start, length, gravity, first, second, gravity_rest, phase, error)
       type(wide_batch_type), intent(out) :: b
       integer, intent(in) :: start                     !! One of the `start_*` constants
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
       real(real64), intent(in) :: first(:), second(:)  !! What the start takes: (3) of a state, else (1)
       real(real64), intent(in) :: gravity_rest         !! What of g its rounding took off [m/s2]
-      real(real64), intent(in) :: phase(2)             !! Of a state: time since an upper turning point, not yet exact [s]
+      real(real64), intent(in) :: phase(2)             !! Of a state: time since an upper turning point, nearly [s]
       type(error_type), allocatable, intent(out) :: error
       type(gaps_type) :: gaps
       type(orbit_type) :: orbit
@@ -144,8 +144,8 @@ contains
    end function in_three_parts
 #endif
 
-   !> The phase and the azimuth of a state: the phase that double precision knows, corrected by Newton's method along the
-   !> motion, and the turn that brings the standard orbit to the start, as `turn_start` of `kyvadlo_state`.
+   !> The phase and the azimuth of a state: the phase that double precision knows, corrected by Newton's method along
+   !> the motion, and the turn that brings the standard orbit to the start, as `turn_start` of `kyvadlo_state`.
    pure subroutine set_start(b, orbit, placed, moving, phase)
       type(wide_batch_type), intent(inout) :: b
       type(orbit_type), intent(in) :: orbit
