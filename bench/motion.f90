@@ -20,9 +20,10 @@ module kyvadlo_bench_motion
    integer, parameter :: points = 10240, calls = 400, many = 2**20
 
    integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, &
-      dual_rates_row = 6, direct_azimuth_row = 7, dual_azimuth_row = 8, last_of_level = 8, one_direct = 9, one_dual = 10, &
-      one_upright = 11, one_rates = 12, one_azimuth = 13, set_up_direct = 14, set_up_dual = 15, set_up_upright = 16, &
-      set_up_state = 17, period_one = 18, period_upright = 19, period_many = 20, period_many_upright = 21, &
+      dual_rates_row = 6, direct_azimuth_row = 7, dual_azimuth_row = 8, last_of_level = 8, one_direct = 9, &
+      one_dual = 10, one_upright = 11, one_rates = 12, one_azimuth = 13, set_up_direct = 14, set_up_dual = 15, &
+      set_up_upright = 16, set_up_state = 17, &
+      period_one = 18, period_upright = 19, period_many = 20, period_many_upright = 21, &
       both_many = 22, position_many = 23, last_row = 23
 
    type :: bench_type

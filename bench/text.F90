@@ -45,7 +45,8 @@ contains
       call new_orbit_from_heights(orbit, 1.0_wp, 9.80665_wp, 0.3_wp, -0.8_wp, error)
       allocate (values(samples, columns))
       values(:, 1) = [(0.01_wp*i, i=0, samples - 1)]
-      call orbit%locate(values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), values(:, 6), values(:, 7))
+      call orbit%locate(values(:, 1), values(:, 2), values(:, 3), values(:, 4), values(:, 5), values(:, 6), &
+         values(:, 7))
       bytes = 0
       do pass = 0, passes  ! The first warms the caches and is not counted.
          do row = 1, 3

@@ -26,7 +26,8 @@ module kyvadlo_batch_dispatch
       rates_v4_short => place_group_rates
    implicit none
    private
-   public :: vector_level, place_groups, place_groups_rates, azimuth_groups, period_groups, advance_groups, any_time_beyond
+   public :: vector_level, place_groups, place_groups_rates, azimuth_groups, &
+      period_groups, advance_groups, any_time_beyond
 
    !> Levels of the processor: 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
    integer, parameter :: levels = 3

@@ -1,9 +1,9 @@
 !> The shortest decimal text that reads back as a given double, fast: by whole numbers of 126 bits.
 !>
-!> Schubfach (R. Giulietti, The Schubfach way to render doubles, 2021): a double is c 2**q, with k such that 10**k is the
-!> greatest power of ten not above the width of its rounding interval; of the multiples of 10**k and 10**(k+1) in that
-!> interval one is the shortest text, and the nearest to the value. Ends of the interval and value come over 10**k, times
-!> four, by one product each with a power of ten rounded up to 126 bits, which is proved to be enough.
+!> Schubfach (R. Giulietti, The Schubfach way to render doubles, 2021): a double is c 2**q, with k such that 10**k is
+!> the greatest power of ten not above the width of its rounding interval; of the multiples of 10**k and 10**(k+1) in
+!> that interval one is the shortest text, and the nearest to the value. Ends of the interval and value come over 10**k,
+!> times four, by one product each with a power of ten rounded up to 126 bits, which is proved to be enough.
 module kyvadlo_decimal
    use, intrinsic :: iso_fortran_env, only: int64, real64
    implicit none
@@ -14,7 +14,8 @@ module kyvadlo_decimal
    !> The longest text: sign, 17 figures, point, exponent of three figures.
    integer, parameter :: longest_decimal = 24
    !> Written out: the index of an implied loop would be a variable of the module.
-   integer(int64), parameter :: powers_of_ten(0:16) = 10_int64**[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]
+   integer(int64), parameter :: powers_of_ten(0:16) = &
+      10_int64**[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]
    !> 00 01 02 ... 99
    character(len=*), parameter :: pairs = &
       '0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849'// &
