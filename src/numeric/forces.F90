@@ -65,8 +65,9 @@ contains
       forces%has_pivot_table = allocated(effects%pivot_times) .or. allocated(effects%pivot_curve%times)
       forces%pivot_rate = two_pi*effects%pivot_frequency
       forces%pivot_pull = -effects%pivot_amplitude*forces%pivot_rate**2
-      if (any(abs(effects%pivot_amplitude) > 0)) forces%pivot_axes = [findloc(abs(effects%pivot_amplitude) > 0, .true.), &
-         findloc(abs(effects%pivot_amplitude) > 0, .true., back=.true.)]
+      associate (swings => abs(effects%pivot_amplitude) > 0)
+         if (any(swings)) forces%pivot_axes = [findloc(swings, .true.), findloc(swings, .true., back=.true.)]
+      end associate
       forces%is_elastic = effects%stiffness > 0
       forces%needs_pivot_velocity = forces%has_moving_pivot
       forces%has_more = forces%has_drag .or. forces%has_turn .or. forces%has_moving_pivot .or. forces%inertia > 1

@@ -72,9 +72,9 @@ contains
    end subroutine forecast_steps
 
    !> How far positions of a conservative scene will be off at the end, in units of the length, about; 0 for others.
-   !> Every step takes a part of the tolerance from the energy, much the same each time, so that the rate is off by a part
-   !> that grows with the time and the phase with its square. From 1 to 10 000 periods 0.01 to 0.1 of the tolerance was
-   !> measured times the square of the periods (`bench/integrated_beside_heyoka.py`).
+   !> Every step takes a part of the tolerance from the energy, much the same each time, so that the rate is off by a
+   !> part that grows with the time and the phase with its square. From 1 to 10 000 periods 0.01 to 0.1 of the tolerance
+   !> was measured times the square of the periods (`bench/integrated_beside_heyoka.py`).
    pure real(wp) function forecast_error(effects, length, gravity, duration, tolerance)
       type(effects_type), intent(in) :: effects
       real(wp), intent(in) :: length, gravity          !! [m], [m/s2]
