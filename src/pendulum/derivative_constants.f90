@@ -52,6 +52,9 @@ module kyvadlo_derivative_constants
       logical :: by_angle = .false.             !! They grow along p(2), f(2), not along the motion
       integer :: length_at = 0, gravity_at = 0  !! Columns of l and g
       real(real64) :: length = 0, rate_square = 0, unit_time = 0, length_per_gravity = 0  !! l, g/l, sqrt(l/g), l/g
+      !> Of fast motions: what the energy over l changes by with each column, in their units [m/s2/unit]
+      logical :: is_fast = .false.
+      real(real64) :: energies(9) = 0
       !> Below it the column of g by powers of the time in sqrt(l/g)
       real(real64) :: short_time = 0, short_powers(3, 2:most_short)
    end type frame_type

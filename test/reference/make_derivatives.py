@@ -109,6 +109,11 @@ def start(regime, pick):
             return [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
         x = unit([small*pick.uniform(-1, 1), small*pick.uniform(-1, 1), 1.0])
         return x, tangent([small*pick.uniform(-1, 1) for _ in range(3)], x)
+    if regime == 'fast':             # half of them near the horizontal plane through the pivot
+        if pick.random() < 0.5:
+            x = unit([x[0], x[1], across*10**pick.uniform(-6, 0)*pick.choice([-1, 1])])
+            v = [a+b*10**pick.uniform(-6, 0) for a, b in zip([-x[1], x[0], 0.0], v)]
+        return x, tangent(v, x, 10**pick.uniform(1, 5))
     return x, tangent(v, x, pick.uniform(3, 10))     # energetic
 
 
@@ -155,8 +160,8 @@ def write_state(regime):
 
 
 # ------------------------------------------------------------------------------------------------- from turning heights
-# Over g l. Above it gravity changes T, by 1/energy**2, in digits alone that two parts do not keep.
-MOST_ENERGY = mpf(10)**7
+# Over g l. Above it gravity changes lambda T, by 1/energy**2, by less than 1e-24.
+MOST_ENERGY = mpf(10)**12
 SETS = {'heights': ['typical', 'near_conical', 'near_plane'],
         'gaps': ['typical', 'near_conical', 'near_plane', 'near_upright'],
         'rises': ['typical', 'near_conical', 'near_plane', 'small'],
@@ -256,7 +261,7 @@ def write_release(kind):
 
 
 WRITERS = {regime: (write_state, regime) for regime in
-           ('generic', 'conical', 'plane', 'small', 'separatrix', 'upright', 'energetic', 'long')}
+           ('generic', 'conical', 'plane', 'small', 'separatrix', 'upright', 'energetic', 'fast', 'long')}
 WRITERS.update({kind: (write_turning, kind) for kind in SETS})
 WRITERS['release'] = (write_release, 'release')
 
