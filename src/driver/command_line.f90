@@ -1,7 +1,7 @@
 !> The words of the command line, checked against `kyvadlo_commands`, and the help pages made from it.
 module kyvadlo_command_line
    use, intrinsic :: iso_fortran_env, only: real64
-   use kyvadlo_accuracy, only: accuracy_coarsest, accuracy_finest_quad
+   use kyvadlo_accuracy, only: accuracy_coarsest, accuracy_finest_double, accuracy_finest_quad
    use kyvadlo_commands, only: commands, examples, explanations, options
    use kyvadlo_number_text, only: digits_text, read_number
    use kyvadlo_status, only: code_input, error_type, fail
@@ -215,6 +215,8 @@ contains
       real(real64), intent(inout) :: accuracy       !! On entry the default
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: name = '--accuracy', others(2) = [character(len=8) :: '--kind', '--digits']
+      !> Tables are computed in the kinds of the machine, not in pairs.
+      real(real64), parameter :: finest = merge(accuracy_finest_quad, accuracy_finest_double, with_quad)
       character(len=:), allocatable :: text, what
       integer :: i
 
@@ -223,8 +225,8 @@ contains
       call read_number(text, accuracy, what)
       if (allocated(what)) then
          call fail(error, code_input, 'option '//name//' must be a number, got '//quoted(text)//' ('//what//')')
-      else if (.not. (accuracy_finest_quad <= accuracy .and. accuracy <= accuracy_coarsest)) then
-         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(accuracy_finest_quad, 2)// &
+      else if (.not. (finest <= accuracy .and. accuracy <= accuracy_coarsest)) then
+         call fail(error, code_input, 'option '//name//' must lie between '//digits_text(finest, 2)// &
             ' and '//digits_text(accuracy_coarsest, 1)//', got '//quoted(text))
       end if
       do i = 1, size(others)

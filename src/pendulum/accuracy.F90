@@ -262,14 +262,14 @@ contains
       end associate
    end function choice_text
 
-   !> The kind that computes the places.
+   !> The kind that holds the places.
    pure function kind_text(plan) result(name)
       class(accurate_orbit_type), intent(in) :: plan
       character(len=7) :: name
 
       name = 'real64'
       if (plan%orbit%kernel%grade == grade_single) name = 'real32'
-      if (allocated(plan%wide) .and. .not. allocated(plan%fine)) name = 'real128'
+      if (plan%is_beyond_double()) name = 'real128'
    end function kind_text
 
    !> A number in a message.
