@@ -22,15 +22,15 @@ module kyvadlo_bench_motion
    integer, parameter :: sine_row = 1, floor_row = 2, direct_row = 3, dual_row = 4, direct_rates_row = 5, &
       dual_rates_row = 6, direct_azimuth_row = 7, dual_azimuth_row = 8, last_of_level = 8, one_direct = 9, &
       one_dual = 10, one_upright = 11, one_rates = 12, one_azimuth = 13, set_up_direct = 14, set_up_dual = 15, &
-      set_up_upright = 16, set_up_state = 17, &
-      period_one = 18, period_upright = 19, period_many = 20, period_many_upright = 21, &
-      both_many = 22, position_many = 23, last_row = 23
+      set_up_upright = 16, set_up_state = 17, period_one = 18, period_upright = 19, period_many = 20, &
+      period_many_upright = 21, both_many = 22, constants_many = 23, position_many = 24, last_row = 24
 
    type :: bench_type
       type(orbit_type) :: direct, dual, upright
       real(real64), dimension(points) :: time, a, b, top, bottom, top_upright, bottom_upright
       real(real64), dimension(points, 6) :: out
       real(real64), dimension(3, points) :: position
+      real(real64), dimension(8, points) :: constants
       real(real64) :: checksum = 0
    end type bench_type
 
@@ -160,6 +160,8 @@ contains
          case (both_many)
             call orbits_period_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, out(:, 1), level)
             call orbits_advance_from_gaps(1.0_real64, bench%top, bench%bottom, out(:, 2), level)
+         case (constants_many)
+            call orbits_constants_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, bench%constants, level)
          case default
             call orbits_locate_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, 3.7_real64, bench%position)
          end select
@@ -277,6 +279,7 @@ contains
          'set-up, two-part constants, k**2 < 1/2', 'set-up, two-part constants, k**2 > 1/2', 'set-up, k''**2 = 1e-16', &
          'set-up from a state', 'T alone', 'T alone, k''**2 = 1e-20', 'T of many orbits, each', &
          'T of many orbits, each, k''**2 = 1e-20', 'T and advance of many orbits, each', &
+         'eight constants of many orbits, each', &
          'position of many orbits at one time, each']
 
       write (unit, '(/,a44,2a10)') 'single calls                                ', 'ns', 'S'

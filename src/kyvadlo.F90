@@ -39,7 +39,7 @@ module kyvadlo
       new_derivatives_from_energy_above_bottom, new_derivatives_from_release, new_derivatives_from_state
    use kyvadlo_accuracy
    use kyvadlo_periods, only: orbit_period_from_gaps, orbits_period_from_gaps
-   use kyvadlo_many_orbits, only: orbits_advance_from_gaps, orbits_locate_from_gaps
+   use kyvadlo_many_orbits, only: orbits_advance_from_gaps, orbits_constants_from_gaps, orbits_locate_from_gaps
    implicit none
    public
 end module kyvadlo

@@ -224,6 +224,7 @@ PICTURES = {
     "jacobi_evaluate": ("jacobi x 0.9", -8, 8), "time_to_height": ("passage_height 1 9.80665 0.3 -0.8 x", -0.8, 0.3),
     "time_to_azimuth": ("passage_azimuth 1 9.80665 0.3 -0.8 x", 0, 12), "orbits_period_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@0", 0.06, 1.9),
     "orbits_advance_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@7", 0.06, 1.9),
+    "orbits_constants_from_gaps": ("orbit_gaps 1 9.80665 x 0.05@4", 0.06, 1.9),
     "orbits_locate_from_gaps": ("position_gaps 1 9.80665 x 0.05 1@0", 0.06, 1.9),
     "vertical_speed": ("position 1 9.80665 0.3 -0.8 x@5", 0, 3), "locate": ("position 1 9.80665 0.3 -0.8 x@0", 0, 3),
     # What a set-up makes: the period over one of its numbers, or the height in time.

@@ -438,6 +438,25 @@ static PyObject *periods_from_gaps(PyObject *module, PyObject *args)
    return none();
 }
 
+/* constants_from_gaps(length, gravity, upper_gaps, lower_rises, constants, threads): fills the array. */
+static PyObject *constants_from_gaps(PyObject *module, PyObject *args)
+{
+   PyObject *gaps, *rises, *constants;
+   double length, gravity, *a, *b, *c;
+   npy_intp count;
+   int threads;
+
+   (void)module;
+   if (!PyArg_ParseTuple(args, "ddOOOi", &length, &gravity, &gaps, &rises, &constants, &threads)
+       || (a = doubles(gaps, -1)) == NULL) return NULL;
+   count = PyArray_SIZE((PyArrayObject *)gaps);
+   if ((b = doubles(rises, count)) == NULL || (c = doubles(constants, 8 * count)) == NULL) return NULL;
+   Py_BEGIN_ALLOW_THREADS
+   kyvadlo_orbits_constants_from_gaps(length, gravity, (size_t)count, a, b, c, threads);
+   Py_END_ALLOW_THREADS
+   return none();
+}
+
 /* locate_from_gaps(length, gravity, upper_gaps, lower_rises, t, positions, velocities, threads): fills the two arrays. */
 static PyObject *locate_from_gaps(PyObject *module, PyObject *args)
 {
@@ -538,6 +557,8 @@ static PyMethodDef methods[] = {
    {"locate", locate, METH_VARARGS, "locate(orbit, times, positions, velocities, threads)"},
    {"periods_from_gaps", periods_from_gaps, METH_VARARGS,
       "periods_from_gaps(length, gravity, upper_gaps, lower_rises, periods, advances, threads)"},
+   {"constants_from_gaps", constants_from_gaps, METH_VARARGS,
+      "constants_from_gaps(length, gravity, upper_gaps, lower_rises, constants, threads)"},
    {"locate_from_gaps", locate_from_gaps, METH_VARARGS,
       "locate_from_gaps(length, gravity, upper_gaps, lower_rises, t, positions, velocities, threads)"},
    {"evaluate", evaluate, METH_VARARGS, "evaluate(orbit, what, arguments, values)"},

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _kyvadlo
 
-__all__ = ["locate_from_gaps", "periods_from_gaps"]
+__all__ = ["constants_from_gaps", "locate_from_gaps", "periods_from_gaps"]
 
 _Array = NDArray[np.float64]
 
@@ -45,6 +45,33 @@ def periods_from_gaps(length: float, gravity: float, upper_gap: ArrayLike, lower
     period, advance = np.empty(a.shape), np.empty(a.shape)
     _kyvadlo.periods_from_gaps(length, gravity, a, b, period, advance, threads)
     return period, advance
+
+
+def constants_from_gaps(length: float, gravity: float, upper_gap: ArrayLike, lower_rise: ArrayLike,
+                        threads: int = 1) -> _Array:
+    """Eight constants of many orbits.
+
+    Parameters
+    ----------
+    length, gravity, upper_gap, lower_rise, threads
+        As of `periods_from_gaps`.
+
+    Returns
+    -------
+    constants : ndarray
+        The shape of the gaps, and 8 more: T [s], k, k', K, q, A [1/s], phi(T) [rad] and the advance phi(T) - pi [rad]; NaN
+        where there is no such orbit.
+
+    Examples
+    --------
+    >>> import kyvadlo
+    >>> kyvadlo.constants_from_gaps(1.0, 9.80665, [0.7, 1.2], 0.2)[:, 1].round(7)
+    array([0.7157218, 0.5069379])
+    """
+    a, b = _pair(upper_gap, lower_rise)
+    constants = np.empty(a.shape + (8,))
+    _kyvadlo.constants_from_gaps(length, gravity, a, b, constants, threads)
+    return constants
 
 
 def locate_from_gaps(length: float, gravity: float, upper_gap: ArrayLike, lower_rise: ArrayLike, t: float,

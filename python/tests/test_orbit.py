@@ -144,12 +144,17 @@ def test_threads():
 def test_many_orbits_at_once():
     gaps, rises = np.linspace(0.05, 1.7, 300), np.linspace(0.01, 0.04, 300)[::-1]
     period, advance = kyvadlo.periods_from_gaps(1.0, 9.8, gaps, rises)
+    constants = kyvadlo.constants_from_gaps(1.0, 9.8, gaps, rises)
     position, velocity = kyvadlo.locate_from_gaps(1.0, 9.8, gaps, rises, 2.5, threads=2)
     for i in range(0, 300, 13):
         orbit = kyvadlo.Orbit.from_gaps(1.0, 9.8, gaps[i], rises[i])
         assert abs(period[i] - orbit.period) <= 4*np.spacing(orbit.period)
         assert abs(advance[i] - orbit.advance) <= 8*np.spacing(orbit.advance)
+        assert abs(constants[i, 4] - orbit.nome) <= 8*np.spacing(orbit.nome)
+        assert abs(constants[i, 7] - orbit.advance) <= 8*np.spacing(orbit.advance)
         state = np.concatenate(orbit.state(2.5))
         assert np.max(np.abs(np.concatenate([position[i], velocity[i]]) - state)) <= 1e-13
     assert np.isnan(kyvadlo.periods_from_gaps(1.0, 9.8, 0.1, 0.2)).all()
+    assert np.isnan(kyvadlo.constants_from_gaps(1.0, 9.8, 0.1, 0.2)).all()
+    assert kyvadlo.constants_from_gaps(1.0, 9.8, np.ones((2, 3)), 0.5).shape == (2, 3, 8)
     assert kyvadlo.locate_from_gaps(1.0, 9.8, np.ones((2, 3)), 0.5, 0.0)[0].shape == (2, 3, 3)

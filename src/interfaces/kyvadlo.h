@@ -254,13 +254,16 @@ void kyvadlo_locate_many_threads(const kyvadlo_orbit *orbit, size_t count, const
 void kyvadlo_azimuths(const kyvadlo_orbit *orbit, size_t count, const double *times, double *azimuths, int threads);
 
 /* Many orbits of one pendulum, each evaluated once, without setting them up: from their gaps l - z1 and l + z2 [m],
-   `count` of each. T [s]; the advance of the apsides in a period, phi(T) - pi [rad]; positions [m] and velocities [m/s]
-   (three each) at one time t [s] since the upper turning height at azimuth 0, whose period has the digits of a double
-   only. NaN where there is no such orbit. By `threads` threads, 0: as many as OpenMP offers. */
+   `count` of each. T [s]; the advance of the apsides in a period, phi(T) - pi [rad]; eight constants each: T, k, k', K, q,
+   A, phi(T) and that advance; positions [m] and velocities [m/s] (three each) at one time t [s] since the upper turning
+   height at azimuth 0, whose period has the digits of a double only. NaN where there is no such orbit. By `threads`
+   threads, 0: as many as OpenMP offers. */
 void kyvadlo_orbits_period_from_gaps(double length, double gravity, size_t count, const double *upper_gaps,
    const double *lower_rises, double *periods, int threads);
 void kyvadlo_orbits_advance_from_gaps(double length, size_t count, const double *upper_gaps,
    const double *lower_rises, double *advances, int threads);
+void kyvadlo_orbits_constants_from_gaps(double length, double gravity, size_t count, const double *upper_gaps,
+   const double *lower_rises, double *constants, int threads);
 void kyvadlo_orbits_locate_from_gaps(double length, double gravity, size_t count, const double *upper_gaps,
    const double *lower_rises, double t, double *positions, double *velocities, int threads);
 

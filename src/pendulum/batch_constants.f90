@@ -38,6 +38,14 @@ module kyvadlo_batch_constants
       real(real64) :: sine_slope(0:3) = 0    !! Derivative of the odd part: times c, or 1
    end type wave_type
 
+   !> Many orbits at once. Their gaps: l - z1, l + z2, l + z1, l - z2, -(z1 + z2), z1 - z2.
+   integer, parameter :: gap_upper = 1, gap_lower_rise = 2, gap_upper_rise = 3, gap_lower = 4, gap_deficit = 5, &
+      gap_swing = 6, gap_columns = 6
+   !> Their constants: those that `eval orbit` prints, in its order; z3 - l, z3 - z1.
+   integer, parameter :: constant_period = 1, constant_modulus = 2, constant_complementary_modulus = 3, &
+      constant_quarter_period = 4, constant_nome = 5, constant_azimuth_rate = 6, constant_azimuth_per_period = 7, &
+      constant_advance = 8, constant_outer_excess = 9, constant_outer_gap = 10, constant_columns = 10, &
+      printed_constants = 8
    !> Polynomials in u = cos 2v, by row the power, of cos 2nv; sin 2nv/sin 2v; cos (2n+1)v/cos v; sin (2n+1)v/sin v.
    real(real64), parameter :: even_cosines(0:3, 0:3) = reshape([real(real64) :: &
       1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 2, 0, 0, -3, 0, 4], [4, 4])

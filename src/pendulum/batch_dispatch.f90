@@ -5,29 +5,32 @@ module kyvadlo_batch_dispatch
    use kyvadlo_batch_constants
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
       azimuths_baseline => azimuth_group, &
-      beyond_baseline => any_beyond, periods_baseline => period_group, advances_baseline => advance_group
+      beyond_baseline => any_beyond, periods_baseline => period_group, advances_baseline => advance_group, &
+      gaps_baseline => gaps_group, constants_baseline => constants_group
    use kyvadlo_batch_kernel_baseline_single, only: place_baseline_single => place_group, &
       rates_baseline_single => place_group_rates
    use kyvadlo_batch_kernel_baseline_short, only: place_baseline_short => place_group, &
       rates_baseline_short => place_group_rates
    use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, &
       azimuths_v3 => azimuth_group, &
-      beyond_v3 => any_beyond, periods_v3 => period_group, advances_v3 => advance_group
+      beyond_v3 => any_beyond, periods_v3 => period_group, advances_v3 => advance_group, &
+      gaps_v3 => gaps_group, constants_v3 => constants_group
    use kyvadlo_batch_kernel_v3_single, only: place_v3_single => place_group, &
       rates_v3_single => place_group_rates
    use kyvadlo_batch_kernel_v3_short, only: place_v3_short => place_group, &
       rates_v3_short => place_group_rates
    use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, &
       azimuths_v4 => azimuth_group, &
-      beyond_v4 => any_beyond, periods_v4 => period_group, advances_v4 => advance_group
+      beyond_v4 => any_beyond, periods_v4 => period_group, advances_v4 => advance_group, &
+      gaps_v4 => gaps_group, constants_v4 => constants_group
    use kyvadlo_batch_kernel_v4_single, only: place_v4_single => place_group, &
       rates_v4_single => place_group_rates
    use kyvadlo_batch_kernel_v4_short, only: place_v4_short => place_group, &
       rates_v4_short => place_group_rates
    implicit none
    private
-   public :: vector_level, place_groups, place_groups_rates, azimuth_groups, &
-      period_groups, advance_groups, any_time_beyond
+   public :: vector_level, place_groups, place_groups_rates, azimuth_groups, period_groups, constants_groups, &
+      any_time_beyond
 
    !> Levels of the processor: 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
    integer, parameter :: levels = 3
@@ -141,21 +144,34 @@ contains
       end select
    end subroutine period_groups
 
-   pure subroutine advance_groups(level, groups, length, upper_gap, lower_rise, advance)
-      integer, intent(in) :: level, groups
-      real(real64), intent(in) :: length
-      real(real64), intent(in), dimension(group_size*groups) :: upper_gap, lower_rise
-      real(real64), intent(out), dimension(group_size*groups) :: advance
+   !> Gaps and constants, or T and lambda T alone, from a start by heights, gaps or rises.
+   pure subroutine constants_groups(level, groups, start, length, gravity, first, second, only_advance, gaps, constants)
+      integer, intent(in) :: level, groups, start
+      real(real64), intent(in), dimension(group_size*groups) :: length, gravity, first, second
+      logical, intent(in) :: only_advance
+      real(real64), intent(inout) :: gaps(block_size, gap_columns), constants(block_size, constant_columns)
 
-      select case (level)
-      case (2)
-         call advances_v4(groups, length, upper_gap, lower_rise, advance)
+      select case (level + merge(levels, 0, only_advance))
       case (1)
-         call advances_v3(groups, length, upper_gap, lower_rise, advance)
+         call gaps_v3(groups, start, length, first, second, gaps)
+         call constants_v3(groups, length, gravity, gaps, constants)
+      case (2)
+         call gaps_v4(groups, start, length, first, second, gaps)
+         call constants_v4(groups, length, gravity, gaps, constants)
+      case (3)
+         call gaps_baseline(groups, start, length, first, second, gaps)
+         call advances_baseline(groups, length, gravity, gaps, constants)
+      case (4)
+         call gaps_v3(groups, start, length, first, second, gaps)
+         call advances_v3(groups, length, gravity, gaps, constants)
+      case (5)
+         call gaps_v4(groups, start, length, first, second, gaps)
+         call advances_v4(groups, length, gravity, gaps, constants)
       case default
-         call advances_baseline(groups, length, upper_gap, lower_rise, advance)
+         call gaps_baseline(groups, start, length, first, second, gaps)
+         call constants_baseline(groups, length, gravity, gaps, constants)
       end select
-   end subroutine advance_groups
+   end subroutine constants_groups
 
    !> Whether a time is NaN or beyond what the kernels reduce.
    pure logical function any_time_beyond(level, n, time, limit)

@@ -3,6 +3,7 @@
 module kyvadlo_batch_kernel_v4
    use kyvadlo_batch_constants
    use kyvadlo_numbers_real64, only: quiet_nan
+   use kyvadlo_start_kinds, only: start_heights, start_rises
 #include "batch_kernel.inc"
 end module kyvadlo_batch_kernel_v4
 #undef kernel_grade

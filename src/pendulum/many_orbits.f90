@@ -1,9 +1,9 @@
-!> Many orbits of one pendulum at once, each evaluated once: their advances, and their positions at one time. Their
-!> periods are in `kyvadlo_periods`.
+!> Many orbits at once, each evaluated once: their constants, their advances, and their positions at one time. Their
+!> periods alone are in `kyvadlo_periods`.
 module kyvadlo_many_orbits
    use, intrinsic :: iso_fortran_env, only: real64
-   use kyvadlo_batch_constants, only: block_size, group_size
-   use kyvadlo_batch_dispatch, only: advance_groups, any_time_beyond, vector_level
+   use kyvadlo_batch_constants
+   use kyvadlo_batch_dispatch, only: any_time_beyond, constants_groups, vector_level
    use kyvadlo_numbers_real64, only: is_finite, quiet_nan
    use kyvadlo_orbit, only: orbit_type
    use kyvadlo_start, only: new_orbit, new_rough_orbit
@@ -12,13 +12,52 @@ module kyvadlo_many_orbits
    use kyvadlo_threads, only: thread_count
    implicit none
    private
-   public :: orbits_advance_from_gaps, orbits_locate_from_gaps
+   public :: orbits_advance_from_gaps, orbits_constants_from_gaps, orbits_locate_from_gaps
+   public :: constants_of_orbit, constants_of_block
 
 contains
 
+   !> T, k, k', K, q, A, phi(T) and lambda T of many orbits with the gaps l - z1 and l + z2: what the functions of an
+   !> orbit give after a set-up, in a tenth of the time, by vector kernels; next to the upright (k'**2 < 1/64) by a
+   !> set-up.
+   !> NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; arrays of different sizes give NaN.
+   !> Error 8 ulp at worst, of A, which is a difference, 10 (test/unit/test_many_orbits.pf).
+   subroutine orbits_constants_from_gaps(length, gravity, upper_gap, lower_rise, constants, highest_level, threads)
+      real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
+      real(real64), intent(in), dimension(:) :: upper_gap, lower_rise     !! l - z1, l + z2 [m] (n)
+      real(real64), intent(out) :: constants(:, :)                      !! [s], 1, 1, 1, 1, [1/s], [rad], [rad] (8, n)
+      integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
+      integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
+      integer :: block, blocks, orbits, level, sharing
+
+      orbits = size(upper_gap)
+      if (size(lower_rise) /= orbits .or. any(shape(constants) /= [printed_constants, orbits])) then
+         constants = quiet_nan
+         return
+      end if
+      level = vector_level(highest_level)
+      include 'block_loop.inc'
+
+   contains
+
+      subroutine fill_block(start, last)
+         integer, intent(in) :: start, last
+         real(real64) :: gaps(block_size, gap_columns), found(block_size, constant_columns)
+         integer :: i
+
+         call constants_of_block(level, start_gaps, spread(length, 1, last - start + 1), &
+            spread(gravity, 1, last - start + 1), upper_gap(start:last), lower_rise(start:last), .false., gaps, found)
+         do i = start, last
+            constants(:, i) = found(i - start + 1, :printed_constants)
+            if (.not. found(i - start + 1, constant_period) > 0) &
+               call set_up_constants(length, gravity, upper_gap(i), lower_rise(i), constants(:, i))
+         end do
+      end subroutine fill_block
+   end subroutine orbits_constants_from_gaps
+
    !> lambda T = phi(T) - pi of many orbits with the gaps l - z1 and l + z2 [rad], (35): what `apsidal_advance` gives
-   !> after a set-up, in a tenth of the time, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up. NaN
-   !> unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0; arrays of different sizes give NaN.
+   !> after a set-up, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up. NaN unless 0 <= lower_rise <
+   !> upper_gap <= 2 l - lower_rise, l > 0; arrays of different sizes give NaN.
    !> Error 8 ulp at worst (test/unit/test_many_orbits.pf).
    subroutine orbits_advance_from_gaps(length, upper_gap, lower_rise, advance, highest_level, threads)
       real(real64), intent(in) :: length                                !! l [m]
@@ -26,81 +65,108 @@ contains
       real(real64), intent(out), dimension(:) :: advance                !! [rad] (n)
       integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
       integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
-      real(real64) :: unit
       integer :: block, blocks, orbits, level, sharing
 
-      advance = quiet_nan
       orbits = size(advance)
-      if (size(upper_gap) /= orbits .or. size(lower_rise) /= orbits) return
-      if (.not. is_finite(length)) return
-      if (.not. length > 0) return
-      ! Lengths near 1, by a power of 2: twice a length, and products of three, stay in the range.
-      unit = scale(1.0_real64, -max(-1021, min(1021, exponent(length))))
-      level = vector_level(highest_level)
-      blocks = (orbits + block_size - 1)/block_size
-      sharing = thread_count(threads, orbits, blocks)
-      if (sharing > 1) then
-         !$omp parallel do schedule(static) num_threads(sharing)
-         do block = 1, blocks
-            call fill_block(block)
-         end do
-      else
-         do block = 1, blocks
-            call fill_block(block)
-         end do
+      if (size(upper_gap) /= orbits .or. size(lower_rise) /= orbits) then
+         advance = quiet_nan
+         return
       end if
+      level = vector_level(highest_level)
+      include 'block_loop.inc'
 
    contains
 
-      subroutine fill_block(block)
-         integer, intent(in) :: block
-         real(real64), dimension(block_size) :: top, bottom, found
-         logical :: is_given(block_size), has_nan
-         integer :: start, last, points, i
+      subroutine fill_block(start, last)
+         integer, intent(in) :: start, last
+         real(real64) :: gaps(block_size, gap_columns), found(block_size, constant_columns)
+         real(real64) :: constants(printed_constants)
+         integer :: i
 
-         start = (block - 1)*block_size + 1
-         last = min(orbits, start + block_size - 1)
-         points = last - start + 1
-         top(:points) = upper_gap(start:last)*unit
-         bottom(:points) = lower_rise(start:last)*unit
-         top(points + 1:) = length*unit
-         bottom(points + 1:) = 0
-         ! The kernels compare, which would raise.
-         has_nan = any_time_beyond(level, block_size, top, 2*length*unit)
-         if (.not. has_nan) has_nan = any_time_beyond(level, block_size, bottom, 2*length*unit)
-         is_given = .true.
-         if (has_nan) then
-            is_given = is_finite(top) .and. is_finite(bottom)
-            top = merge(top, length*unit, is_given)
-            bottom = merge(bottom, 0.0_real64, is_given)
-            is_given = is_given .and. abs(top) <= 2*length*unit .and. abs(bottom) <= 2*length*unit
-            top = merge(top, length*unit, is_given)
-            bottom = merge(bottom, 0.0_real64, is_given)
-         end if
-         call advance_groups(level, (points + group_size - 1)/group_size, length*unit, top, bottom, found)
-         do i = 1, points
-            if (.not. is_given(i)) cycle
-            if (found(i) >= 0) then
-               advance(start + i - 1) = found(i)
-            else
-               call by_set_up(upper_gap(start + i - 1), lower_rise(start + i - 1), advance(start + i - 1))
-            end if
+         ! The advance does not depend on gravity.
+         call constants_of_block(level, start_gaps, spread(length, 1, last - start + 1), &
+            spread(1.0_real64, 1, last - start + 1), upper_gap(start:last), lower_rise(start:last), .true., gaps, found)
+         do i = start, last
+            advance(i) = found(i - start + 1, constant_advance)
+            if (found(i - start + 1, constant_period) > 0) cycle
+            call set_up_constants(length, 1.0_real64, upper_gap(i), lower_rise(i), constants)
+            advance(i) = constants(constant_advance)
          end do
       end subroutine fill_block
-
-      !> The advance does not depend on gravity.
-      subroutine by_set_up(upper_gap, lower_rise, advance)
-         real(real64), intent(in) :: upper_gap, lower_rise
-         real(real64), intent(out) :: advance
-         type(orbit_type) :: orbit
-         type(error_type), allocatable :: error
-
-         advance = quiet_nan
-         if (.not. (lower_rise >= 0 .and. lower_rise < upper_gap)) return
-         call new_orbit(orbit, start_gaps, length, 1.0_real64, [upper_gap], [lower_rise], error)
-         if (.not. allocated(error)) advance = orbit%apsidal_advance()
-      end subroutine by_set_up
    end subroutine orbits_advance_from_gaps
+
+   !> By a set-up; NaN where that refuses.
+   subroutine set_up_constants(length, gravity, upper_gap, lower_rise, constants)
+      real(real64), intent(in) :: length, gravity, upper_gap, lower_rise
+      real(real64), intent(out) :: constants(printed_constants)
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+
+      constants = quiet_nan
+      ! The message of the set-up takes many times as long as an orbit.
+      if (.not. (is_finite(upper_gap) .and. is_finite(lower_rise))) return
+      if (.not. (lower_rise >= 0 .and. lower_rise < upper_gap)) return
+      call new_orbit(orbit, start_gaps, length, gravity, [upper_gap], [lower_rise], error)
+      if (.not. allocated(error)) constants = constants_of_orbit(orbit)
+   end subroutine set_up_constants
+
+   !> What `eval orbit` prints of an orbit.
+   pure function constants_of_orbit(orbit) result(constants)
+      type(orbit_type), intent(in) :: orbit
+      real(real64) :: constants(printed_constants)
+
+      constants = [orbit%period(), orbit%modulus(), orbit%complementary_modulus(), orbit%quarter_period(), &
+         orbit%nome(), orbit%azimuth_rate(), orbit%azimuth_per_period(), orbit%apsidal_advance()]
+   end function constants_of_orbit
+
+   !> Gaps and constants of a block of orbits from heights, gaps or rises, each with its own length and gravity, by the
+   !> columns that kyvadlo_batch_constants names. T is not positive where the set-up must tell: next to the upright,
+   !> out of the range of plain numbers, and where there is no orbit.
+   subroutine constants_of_block(level, start, length, gravity, first, second, only_advance, gaps, constants)
+      integer, intent(in) :: level                                      !! `vector_level`
+      integer, intent(in) :: start                                      !! `start_heights`, `start_gaps`, `start_rises`
+      real(real64), intent(in), dimension(:) :: length, gravity           !! [m], [m/s2] (n), n <= block_size
+      real(real64), intent(in), dimension(:) :: first, second             !! [m] (n)
+      logical, intent(in) :: only_advance                               !! T and lambda T alone
+      real(real64), intent(out) :: gaps(block_size, gap_columns)          !! Those of n
+      real(real64), intent(out) :: constants(block_size, constant_columns)
+      real(real64) :: given(block_size, 4)
+      !> An orbit for what is none.
+      real(real64), parameter :: any_orbit(4) = [real(real64) :: 1, 1, 0, 0]
+      !> Sums of some are in the range.
+      real(real64), parameter :: largest = huge(1.0_real64)/8
+      logical, dimension(block_size) :: is_given, is_small
+      integer :: n, whole, i
+
+      n = size(length)
+      whole = group_size*((n + group_size - 1)/group_size)
+      given(:n, 1) = length
+      given(:n, 2) = gravity
+      given(:n, 3) = first
+      given(:n, 4) = second
+      do i = 1, 4
+         given(n + 1:whole, i) = any_orbit(i)
+      end do
+      ! The kernels compare, which would raise.
+      do i = 1, 4
+         if (any_time_beyond(level, whole, given(:whole, i), largest)) exit
+      end do
+      is_given = .true.
+      if (i <= 4) then
+         do i = 1, 4
+            is_small(:whole) = is_finite(given(:whole, i))
+            given(:whole, i) = merge(given(:whole, i), any_orbit(i), is_small(:whole))
+            is_given(:whole) = is_given(:whole) .and. is_small(:whole) .and. abs(given(:whole, i)) <= largest
+         end do
+         do i = 1, 4
+            given(:whole, i) = merge(given(:whole, i), any_orbit(i), is_given(:whole))
+         end do
+      end if
+      call constants_groups(level, whole/group_size, start, given(:whole, 1), given(:whole, 2), given(:whole, 3), &
+         given(:whole, 4), only_advance, gaps, constants)
+      if (.not. all(is_given)) constants(:, constant_period) = &
+         merge(constants(:, constant_period), -1.0_real64, is_given)
+   end subroutine constants_of_block
 
    !> Positions, and velocities if wanted, of many orbits with the gaps l - z1 and l + z2 at one time, counted from the
    !> upper turning height at azimuth 0: for orbits that are evaluated once, in half the time of a set-up with `locate`.
@@ -125,28 +191,17 @@ contains
          if (present(velocity)) velocity = quiet_nan
          return
       end if
-      blocks = (orbits + block_size - 1)/block_size
-      sharing = thread_count(threads, orbits, blocks)
-      if (sharing > 1) then
-         !$omp parallel do schedule(static) num_threads(sharing)
-         do block = 1, blocks
-            call fill_block(block)
-         end do
-      else
-         do block = 1, blocks
-            call fill_block(block)
-         end do
-      end if
+      include 'block_loop.inc'
 
    contains
 
-      subroutine fill_block(block)
-         integer, intent(in) :: block
+      subroutine fill_block(start, last)
+         integer, intent(in) :: start, last
          type(orbit_type) :: orbit
          type(error_type), allocatable :: error
          integer :: i
 
-         do i = (block - 1)*block_size + 1, min(orbits, block*block_size)
+         do i = start, last
             call new_rough_orbit(orbit, start_gaps, length, gravity, upper_gap(i:i), lower_rise(i:i), error)
             ! Of no orbit the position is NaN.
             if (present(velocity)) then

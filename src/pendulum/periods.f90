@@ -50,29 +50,16 @@ contains
          return
       end if
       level = vector_level(highest_level)
-      blocks = (orbits + block_size - 1)/block_size
-      sharing = thread_count(threads, orbits, blocks)
-      if (sharing > 1) then
-         !$omp parallel do schedule(static) num_threads(sharing)
-         do block = 1, blocks
-            call fill_block(block)
-         end do
-      else
-         do block = 1, blocks
-            call fill_block(block)
-         end do
-      end if
+      include 'block_loop.inc'
 
    contains
 
-      subroutine fill_block(block)
-         integer, intent(in) :: block
+      subroutine fill_block(start, last)
+         integer, intent(in) :: start, last
          real(real64), dimension(block_size) :: top, bottom, found
          logical :: is_given(block_size), has_nan
-         integer :: start, last, points
+         integer :: points
 
-         start = (block - 1)*block_size + 1
-         last = min(orbits, start + block_size - 1)
          points = last - start + 1
          top(:points) = upper_gap(start:last)*unit
          bottom(:points) = lower_rise(start:last)*unit

@@ -65,6 +65,16 @@ void kyvadlo_let_go(int descriptor)
    if (descriptor >= 0) close(descriptor);
 }
 
+/* Lets the system write what it has of the file to the disk while the run goes on. */
+void kyvadlo_start_writing(int descriptor)
+{
+#ifdef SYNC_FILE_RANGE_WRITE
+   if (descriptor >= 0) sync_file_range(descriptor, 0, 0, SYNC_FILE_RANGE_WRITE);
+#else
+   (void)descriptor;
+#endif
+}
+
 /* Gives a new file its last length and, if asked, its room on the disk, holds it and gives it the name of a file that
    this run holds: nobody else can have written the two meanwhile. */
 int kyvadlo_begin_sweep(const char *unnamed, const char *path, int reserve, int *descriptor)

@@ -1,6 +1,7 @@
 !> The one file of a sweep: header and coordinates first, then for every chunk its values, its reduction, and last its
 !> mark. What has no mark counts as not there.
 module kyvadlo_sweep_layout
+   use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: int8, int64
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_scene_groups, only: settings
@@ -31,6 +32,7 @@ module kyvadlo_sweep_layout
       integer, allocatable :: histograms(:, :)   !! (6, histogram): bins and the items of a reduction
       integer, allocatable :: edges(:, :)        !! (2, histogram): lower and upper edges of the bins
       integer :: status = 0, mark = 0, reduction = 0, complete = 0, status_points = 0
+      integer(c_int), public :: descriptor = -1  !! Of the rank that holds the file
       logical, public :: is_of_plan = .false.    !! Plan, version and flags are those of this run
       logical, public :: is_opened = .false.     !! It is a NetCDF file
       logical, public :: is_whole = .false.      !! Every variable is there
@@ -38,6 +40,13 @@ module kyvadlo_sweep_layout
 
    character(len=*), parameter :: item_names(6) = [character(len=9) :: 'histogram', 'least', 'greatest', 'sum', &
       'below', 'above']
+
+   interface
+      subroutine kyvadlo_start_writing(descriptor) bind(c)
+         import :: c_int
+         integer(c_int), value :: descriptor
+      end subroutine kyvadlo_start_writing
+   end interface
 
 contains
 
@@ -318,6 +327,7 @@ contains
       call write_bytes(file%nc, file%mark, [found%chunk + 1], [1_int64], mark)
       call flush_netcdf(file%nc)
       call check_netcdf(file%nc, 'cannot write chunk '//integer_text(int(found%chunk)), error)
+      call kyvadlo_start_writing(file%descriptor)
    end subroutine write_chunk
 
    !> The marks of some chunks, from one on (from 0).

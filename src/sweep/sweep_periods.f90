@@ -4,6 +4,7 @@ module kyvadlo_sweep_periods
    use, intrinsic :: iso_fortran_env, only: int8, int64
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_many_orbits, only: constants_of_orbit
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_orbit_real64, only: orbit_type
    use kyvadlo_periods, only: orbits_period_from_gaps
@@ -16,7 +17,7 @@ module kyvadlo_sweep_periods
    use kyvadlo_sweep_worker, only: worker_type
    implicit none
    private
-   public :: reduce_periods, compute_periods, eval_constants, least_run
+   public :: reduce_periods, compute_periods, least_run
 
    !> Points along the fastest dimension from which on they are computed without a copy.
    integer, parameter :: least_run = 256
@@ -136,7 +137,7 @@ contains
             period(i) = quiet_nan_real64
             call new_orbit(orbit, start_gaps, length, gravity_of(plan), upper_gap(i:i), lower_rise(i:i), error, rest)
             if (allocated(error)) cycle
-            if (.not. any(eval_constants(orbit) /= eval_constants(orbit))) period(i) = orbit%period()
+            if (.not. any(constants_of_orbit(orbit) /= constants_of_orbit(orbit))) period(i) = orbit%period()
          end do
       end associate
    end subroutine set_edges
@@ -159,7 +160,7 @@ contains
       call set_edges(plan, upper_gap, lower_rise, period)
       worker%status(:count) = int(merge(status_computed, status_inadmissible, period == period), int8)
       do i = 1, size(plan%measures)
-         worker%values(i, :count) = period
+         worker%values(:count, i) = period
       end do
    end subroutine compute_periods
 
@@ -170,14 +171,5 @@ contains
          gravity_of = effective_gravity(plan%numbers%gravity, effects%density_ratio, effects%added_mass)
       end associate
    end function gravity_of
-
-   !> What `eval orbit` prints of an orbit.
-   function eval_constants(orbit) result(constants)
-      type(orbit_type), intent(in) :: orbit
-      real(wp) :: constants(8)
-
-      constants = [orbit%period(), orbit%modulus(), orbit%complementary_modulus(), orbit%quarter_period(), &
-         orbit%nome(), orbit%azimuth_rate(), orbit%azimuth_per_period(), orbit%apsidal_advance()]
-   end function eval_constants
 
 end module kyvadlo_sweep_periods

@@ -5,6 +5,7 @@ module kyvadlo_sweep_points
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest
    use kyvadlo_derivatives_real64
    use kyvadlo_kinds, only: wp => real64
+   use kyvadlo_many_orbits, only: constants_of_orbit
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_orbit_real64, only: orbit_type
@@ -19,8 +20,9 @@ module kyvadlo_sweep_points
    use kyvadlo_status, only: code_unsupported, error_type
    use kyvadlo_sweep_axes, only: axis_values
    use kyvadlo_sweep_chunks, only: chunk_range
+   use kyvadlo_sweep_constants, only: compute_constants, has_kernel
    use kyvadlo_sweep_measures
-   use kyvadlo_sweep_periods, only: compute_periods, edge, eval_constants, least_run, reduce_periods
+   use kyvadlo_sweep_periods, only: compute_periods, edge, least_run, reduce_periods
    use kyvadlo_sweep_plan
    use kyvadlo_sweep_reductions
    use kyvadlo_sweep_samples, only: begin_measures, get_measures, measured_samples_type
@@ -76,12 +78,13 @@ contains
       integer :: i, j, at
 
       call set_coordinates(plan, worker, first, n)
-      worker%values(:, :n) = quiet_nan_real64
       if (plan%is_period_of_gaps) then
          call compute_periods(plan, worker, n)
       else
+         worker%status(:n) = status_inadmissible
+         if (has_kernel(plan)) call compute_constants(plan, worker, n)
          do i = 1, n
-            call compute_point(plan, worker, i)
+            if (worker%status(i) /= status_computed) call compute_point(plan, worker, i)
          end do
       end if
       do i = 1, status_count
@@ -91,14 +94,15 @@ contains
       at = 0
       do i = 1, size(plan%measures)
          associate (m => plan%measures(i)%components)
-            if (plan%measures(i)%histogram == 0) found%stored(i)%values(:, done + 1:done + n) = &
-               worker%values(at + 1:at + m, :n)
+            do j = 1, merge(m, 0, plan%measures(i)%histogram == 0)
+               found%stored(i)%values(j, done + 1:done + n) = worker%values(:n, at + j)
+            end do
             at = at + m
          end associate
       end do
       j = status_count
       do i = 1, size(plan%histograms)
-         values(:n) = worker%values(component_of(plan, i), :n)
+         values(:n) = worker%values(:n, component_of(plan, i))
          call reduce_block(worker%bins(i), values(:n), found%reduction(j + 1:j + items + worker%bins(i)%count))
          j = j + items + worker%bins(i)%count
       end do
@@ -213,9 +217,10 @@ contains
       integer :: status
 
       status = status_computed
-      if (plan%is_exact) call measure_orbit(plan, worker%coordinates(point, :), worker%values(:, point), status)
+      worker%values(point, :) = quiet_nan_real64
+      if (plan%is_exact) call measure_orbit(plan, worker%coordinates(point, :), worker%values(point, :), status)
       if (plan%is_sampled .and. status == status_computed) call measure_samples(plan, worker, point, status)
-      if (status /= status_computed) worker%values(:, point) = quiet_nan_real64
+      if (status /= status_computed) worker%values(point, :) = quiet_nan_real64
       worker%status(point) = int(status, int8)
    end subroutine compute_point
 
@@ -248,7 +253,7 @@ contains
          call new_orbit(orbit, start, numbers(column_length), gravity, numbers(column_first:column_first + n - 1), &
             numbers(column_second:column_second + n - 1), error, rest)
          if (allocated(error)) return
-         constants = eval_constants(orbit)
+         constants = constants_of_orbit(orbit)
          ! What `eval orbit` refuses.
          if (any(constants /= constants)) return
          status = status_computed
@@ -337,7 +342,7 @@ contains
       call begin_measures(samples, plan%measures, plan%watch)
       call simulate(worker%scene, path, samples, error)
       status = merge(status_failed, status_computed, allocated(error))
-      if (.not. allocated(error)) call get_measures(samples, worker%values(:, point))
+      if (.not. allocated(error)) call get_measures(samples, worker%values(point, :))
    end subroutine measure_samples
 
 end module kyvadlo_sweep_points

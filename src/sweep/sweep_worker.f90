@@ -22,7 +22,7 @@ module kyvadlo_sweep_worker
       type(simulation_type) :: scene                    !! The same, read
       type(column_type), allocatable :: axes(:)         !! All values of the axes that are not too long
       real(wp), allocatable :: coordinates(:, :)        !! (point, axis)
-      real(wp), allocatable :: values(:, :)             !! (component, point)
+      real(wp), allocatable :: values(:, :)             !! (point, component)
       integer(int8), allocatable :: status(:)
       real(wp) :: gaps(block_points, 2) = 0             !! l - z1, l + z2 that many points share
       real(wp) :: shared_gap(2) = 0                     !! Their value
@@ -66,7 +66,7 @@ contains
          worker%axes(i)%greatest = maxval(worker%axes(i)%values)
       end do
       allocate (worker%coordinates(block_points, size(plan%axes)))
-      allocate (worker%values(sum(plan%measures%components), block_points))
+      allocate (worker%values(block_points, sum(plan%measures%components)))
       allocate (worker%status(block_points))
    end subroutine new_worker
 

@@ -133,7 +133,7 @@ static void try_arrays(void)
 /* Many orbits at once, beside each set up; what is no orbit is NaN. */
 static void try_many_orbits(void)
 {
-  double gaps[100], rises[100], periods[100], advances[100], positions[300], velocities[300], p[3], v[3];
+  double gaps[100], rises[100], periods[100], advances[100], constants[800], positions[300], velocities[300], p[3], v[3];
   kyvadlo_orbit orbit;
   int i;
 
@@ -143,11 +143,14 @@ static void try_many_orbits(void)
   }
   kyvadlo_orbits_period_from_gaps(1, 9.8, 100, gaps, rises, periods, 1);
   kyvadlo_orbits_advance_from_gaps(1, 100, gaps, rises, advances, 2);
+  kyvadlo_orbits_constants_from_gaps(1, 9.8, 100, gaps, rises, constants, 2);
   kyvadlo_orbits_locate_from_gaps(1, 9.8, 100, gaps, rises, 1.3, positions, velocities, 0);
   for (i = 0; i < 100; i++) {
     kyvadlo_orbit_from_gaps(1, 9.8, gaps[i], rises[i], &orbit, NULL, 0);
     check(fabs(periods[i]/kyvadlo_height_period(&orbit) - 1) <= 4*DBL_EPSILON, "T of many orbits");
     check(fabs(advances[i]/kyvadlo_apsidal_advance(&orbit) - 1) <= 8*DBL_EPSILON, "advance of many orbits");
+    check(fabs(constants[8*i]/periods[i] - 1) <= 8*DBL_EPSILON && fabs(constants[8*i + 7]/advances[i] - 1) <= 8*DBL_EPSILON
+      && fabs(constants[8*i + 4]/kyvadlo_nome(&orbit) - 1) <= 8*DBL_EPSILON, "constants of many orbits");
     kyvadlo_locate(&orbit, 1.3, p, v);
     /* 3 eps (l + t v), 3 eps (v + t (g + v*v/l)) with speeds to 7 m/s. */
     check(fabs(positions[3*i] - p[0]) <= 30*DBL_EPSILON && fabs(positions[3*i + 2] - p[2]) <= 30*DBL_EPSILON, "positions");
@@ -156,6 +159,8 @@ static void try_many_orbits(void)
   rises[3] = 2;
   kyvadlo_orbits_period_from_gaps(1, 9.8, 5, gaps, rises, periods, 1);
   kyvadlo_orbits_advance_from_gaps(1, 5, gaps, rises, advances, 1);
+  kyvadlo_orbits_constants_from_gaps(1, 9.8, 5, gaps, rises, constants, 1);
+  check(isnan(constants[24]) && isnan(constants[31]) && !isnan(constants[32]), "no constants among many");
   check(isnan(periods[3]) && isnan(advances[3]) && !isnan(periods[4]), "no orbit among many");
 }
 

@@ -44,6 +44,7 @@ end module sink_of_nothing
 !> an error where the ratio of a row exceeds its bound.
 program sweep_speed
    use, intrinsic :: iso_fortran_env, only: int64, real64
+   use kyvadlo_many_orbits, only: orbits_constants_from_gaps
    use kyvadlo_periods, only: orbits_period_from_gaps
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_simulate, only: simulate
@@ -107,15 +108,30 @@ contains
    end subroutine periods
 
    subroutine of_orbits()
-      real(wp) :: ours
-      integer :: run
+      integer, parameter :: points = 65536, block = 2048
+      real(wp), allocatable :: upper(:), lower(:), constants(:, :)
+      real(wp) :: ours, bare, start, end
+      integer :: run, i, j
 
+      allocate (upper(points), lower(points), constants(8, points))
+      upper = [(0.5_wp + 0.5_wp*i/points, i=1, points)]
+      lower = [(0.01_wp + 0.39_wp*i/points, i=1, points)]
       ours = huge(ours)
-      do run = 1, 3
+      bare = huge(bare)
+      do run = 1, runs
+         call cpu_time(start)
+         do j = 1, points, block
+            call orbits_constants_from_gaps(1.0_wp, 9.80665_wp, upper(j:j + block - 1), lower(j:j + block - 1), &
+               constants(:, j:j + block - 1))
+         end do
+         call cpu_time(end)
+         bare = min(bare, (end - start)/points)
          ours = min(ours, time_of_chunk(gaps//'&measure quantities = ' &
             //'''T k complementary_modulus K q A phi_T advance'' /'))
       end do
-      call report('an orbit of eight constants', ours)
+      if (.not. all(constants(1, :) > 0)) error stop 'no constants'
+      call report('eight constants, the bare loop', bare)
+      call report('an orbit of eight constants', ours, bare, 1.5_wp)
    end subroutine of_orbits
 
    subroutine of_scenes()
