@@ -86,6 +86,7 @@ module kyvadlo_commands
          'draw FILE, .svg or .png, by gnuplot: data, model, residuals; beside it script and data'), &
       option_type('fit', '--explain', '', &
          'first say what is fitted, where the search begins and what it costs (standard error)'), &
+      option_type('fit', '--pendulum', 'NAME', 'the pendulum of this name or number, of a scene with several'), &
       option_type('fit', '--profile', '', 'intervals by profile likelihood: chi2 grows by 1 at their ends'), &
       option_type('fit', '--bootstrap', 'N', 'intervals by N fits of rows drawn anew, 20 to 1000000'), &
       option_type('fit', '--seed', 'N', 'of --bootstrap (default 1): the same seed draws the same rows'), &
@@ -99,6 +100,7 @@ module kyvadlo_commands
       option_type('sweep', '--force', '', 'replace FILE if it is there'), &
       option_type('sweep', '--part', 'I/N', 'compute part I of N of the chunks only'), &
       option_type('sweep', '--merge', '', 'make FILE.nc of the files of the parts, which are named behind PLAN'), &
+      option_type('sweep', '--pendulum', 'NAME', 'the pendulum of this name or number, of a plan with several'), &
       option_type('sweep', '--threads', 'N', &
          'of every rank (default all there are, under mpirun 1; 0: all there are)'), &
       option_type('sweep', '--explain', '', 'first say how many points there are and what they cost'), &

@@ -32,12 +32,13 @@ contains
       type(fit_request_type) :: request
       type(fit_data_type) :: data
       type(fit_result_type) :: result
-      character(len=:), allocatable :: scene, table
+      character(len=:), allocatable :: scene, table, pendulum
       integer :: i, copies, seed, threads
 
       status = 0
       call read_options(error)
       if (allocated(error)) return
+      if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
       associate (scene_path => arguments%operands(1)%text, data_path => arguments%operands(2)%text)
          call add_input(files, 'the scene', scene_path)
          call add_input(files, 'the data', data_path)
@@ -46,7 +47,8 @@ contains
             call add_output(files, 'option --residuals', option_value(arguments, '--residuals', ''))
          call check_files(files, error)
          if (.not. allocated(error)) call read_file(scene_path, scene, error)
-         if (.not. allocated(error)) call parse_fit_request(scene, file_name(scene_path), request, error)
+         if (.not. allocated(error)) call parse_fit_request(scene, file_name(scene_path), request, &
+            error, pendulum)
          if (.not. allocated(error) .and. option_given(arguments, '--plot')) then
             call check_plot(option_value(arguments, '--plot', ''), request%pendulum%name, files, error)
             if (.not. allocated(error)) call check_files(files, error)

@@ -132,6 +132,7 @@ contains
       if (ranks%rank == 0) call kyvadlo_last_words('kyvadlo: interrupted; what is done is kept: go on with: ' &
          //'kyvadlo sweep '//path//resume_words(arguments)//new_line('a')//c_null_char)
       call open_sweep_file(plan, worker%bins, request%output, .true., file)
+      file%descriptor = descriptor
       if (.not. file%is_of_plan) call fail(error, code_file, 'cannot open '//request%output)
       if (.not. allocated(error)) then
          if (request%is_merge) then
@@ -155,6 +156,8 @@ contains
       character(len=:), allocatable :: words
 
       words = ' --output '//option_value(arguments, '--output', '')
+      if (option_given(arguments, '--pendulum')) words = words//" --pendulum '"// &
+         option_value(arguments, '--pendulum', '')//"'"
       if (option_given(arguments, '--part')) words = words//' --part '//option_value(arguments, '--part', '')
       words = words//' --resume'
    end function resume_words
@@ -167,7 +170,7 @@ contains
       type(plan_type), intent(out) :: plan
       type(request_type), intent(out) :: request
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, path
+      character(len=:), allocatable :: text, path, pendulum
       integer :: code
 
       request%is_merge = option_given(arguments, '--merge')
@@ -214,7 +217,8 @@ contains
          return
       end if
       call share_text(text)
-      call read_plan(text, file_name(path), path(:index(path, '/', back=.true.)), plan, error)
+      if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
+      call read_plan(text, file_name(path), path(:index(path, '/', back=.true.)), plan, error, pendulum)
       if (allocated(error)) return
       if (.not. request%is_netcdf) then
          if (.not. plan%stores_values .or. size(plan%histograms) > 0) then

@@ -8,7 +8,7 @@ module kyvadlo_fit_request
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_groups
-   use kyvadlo_scene_reader, only: pendulums_from_groups
+   use kyvadlo_scene_reader, only: keep_pendulum, pendulums_from_groups
    use kyvadlo_scene_settings, only: settings_type, value_of_name_type
    use kyvadlo_scene_settings_reader, only: settings_from_groups
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
@@ -34,6 +34,7 @@ module kyvadlo_fit_request
 
    type :: fit_request_type
       character(len=:), allocatable :: file, text
+      character(len=:), allocatable :: choice         !! Name or number of the pendulum, where one was asked for
       integer :: line = 0                             !! Of &fit
       type(settings_type) :: settings
       type(pendulum_type) :: pendulum
@@ -54,10 +55,11 @@ contains
 
    !> The scene of a fit. Errors (`code_input`), with file and line: those of a scene; no &fit; a name in `free` that no
    !> group has, or several have; a bound or prior of what is not free.
-   subroutine parse_fit_request(text, file, request, error)
+   subroutine parse_fit_request(text, file, request, error, pendulum)
       character(len=*), intent(in) :: text, file
       type(fit_request_type), intent(out) :: request
       type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in), optional :: pendulum   !! Its name or number
       type(group_type), allocatable :: groups(:)
       type(pendulum_type), allocatable :: pendulums(:)
       type(value_of_name_type) :: values(size(settings))
@@ -65,7 +67,9 @@ contains
 
       request%file = file
       request%text = text
+      if (present(pendulum)) request%choice = pendulum
       call parse_groups(text, file, groups, error)
+      if (.not. allocated(error)) call keep_pendulum(groups, file, error, pendulum)
       if (allocated(error)) return
       fit = 0
       do i = 1, size(groups)
@@ -83,9 +87,6 @@ contains
       if (.not. allocated(error)) call pendulums_from_groups(groups, file, pendulums, error)
       if (.not. allocated(error) .and. request%settings%given(body_group)) call fail(error, code_unsupported, &
          place_of(file, request%settings%line(body_group))//'a fit does not take &body; free length instead')
-      if (.not. allocated(error)) then
-         if (size(pendulums) > 1) call fail(error, code_input, place_of(file, pendulums(2)%line)//'a second &pendulum')
-      end if
       if (allocated(error)) return
       request%pendulum = pendulums(1)
       call set_defaults(values)

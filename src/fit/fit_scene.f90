@@ -6,6 +6,7 @@ module kyvadlo_fit_scene
    use kyvadlo_namelist_file, only: group_type, parse_groups
    use kyvadlo_number_text, only: shortest_text
    use kyvadlo_scene_groups
+   use kyvadlo_scene_reader, only: keep_pendulum
    use kyvadlo_status, only: error_type
    use kyvadlo_text, only: integer_text
    implicit none
@@ -29,6 +30,7 @@ contains
 
       text = ''
       call parse_groups(request%text, request%file, groups, error)
+      if (.not. allocated(error)) call keep_pendulum(groups, request%file, error, request%choice)
       if (allocated(error)) return
       found = result%of%setting
       if (request%pendulum%start == start_state) then

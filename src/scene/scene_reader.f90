@@ -10,7 +10,7 @@ module kyvadlo_scene_reader
    use kyvadlo_text, only: integer_text, shown, text_type
    implicit none
    private
-   public :: read_scene, parse_scene, pendulums_from_groups, choose_pendulum
+   public :: read_scene, parse_scene, pendulums_from_groups, choose_pendulum, keep_pendulum
 
 contains
 
@@ -110,27 +110,84 @@ contains
       type(pendulum_type), allocatable, intent(inout) :: pendulums(:)
       character(len=*), intent(in) :: choice
       type(error_type), allocatable, intent(out) :: error
-      integer :: i, found, count, status
+      type(text_type) :: names(size(pendulums))
+      integer :: i, found
+
+      do i = 1, size(pendulums)
+         names(i)%text = pendulums(i)%name
+      end do
+      call find_choice(names, choice, found, error)
+      if (.not. allocated(error)) pendulums = pendulums(found:found)
+   end subroutine choose_pendulum
+
+   !> The same among the groups of a file, which keep all others. Error too: there are several and no choice.
+   pure subroutine keep_pendulum(groups, file, error, choice)
+      type(group_type), allocatable, intent(inout) :: groups(:)
+      character(len=*), intent(in) :: file
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in), optional :: choice
+      type(text_type), allocatable :: names(:)
+      type(entry_type), allocatable :: longer(:)
+      integer, allocatable :: places(:)
+      integer :: i, j, found
+
+      places = pack([(i, i=1, size(groups))], [(groups(i)%name == 'pendulum', i=1, size(groups))])
+      if (.not. present(choice)) then
+         if (size(places) > 1) call fail(error, code_input, place_of(file, groups(places(2))%line)// &
+            'a second &pendulum; choose it by --pendulum')
+         return
+      end if
+      allocate (names(size(places)))
+      do i = 1, size(places)
+         associate (group => groups(places(i)))
+            do j = 1, size(group%entries)
+               if (group%entries(j)%name == 'name' .and. size(group%entries(j)%values) == 1) &
+                  names(i)%text = trim(group%entries(j)%values(1)%text)
+            end do
+            if (allocated(names(i)%text)) cycle
+            ! As it is called beside the others.
+            names(i)%text = 'pendulum '//integer_text(i)
+            allocate (longer(size(group%entries) + 1))
+            longer(:size(group%entries)) = group%entries
+            associate (name => longer(size(longer)))
+               name%name = 'name'
+               name%line = group%line
+               allocate (name%values(1))
+               name%values(1)%text = names(i)%text
+               name%values(1)%quoted = .true.
+               name%values(1)%line = group%line
+            end associate
+            call move_alloc(longer, group%entries)
+         end associate
+      end do
+      call find_choice(names, choice, found, error)
+      if (allocated(error)) return
+      groups = pack(groups, [(all(places /= i) .or. i == places(found), i=1, size(groups))])
+   end subroutine keep_pendulum
+
+   !> The place of the name, or of the number if there is no such name.
+   pure subroutine find_choice(names, choice, found, error)
+      type(text_type), intent(in) :: names(:)
+      character(len=*), intent(in) :: choice
+      integer, intent(out) :: found
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, count, status
 
       found = 0
       count = 0
-      do i = 1, size(pendulums)
-         if (pendulums(i)%name /= choice) cycle
+      do i = 1, size(names)
+         if (names(i)%text /= choice) cycle
          found = i
          count = count + 1
       end do
       if (count == 0 .and. choice /= '' .and. len(choice) < 10 .and. verify(choice, '0123456789') == 0) then
          read (choice, '(i9)', iostat=status) found
-         if (status == 0 .and. found >= 1 .and. found <= size(pendulums)) count = 1
+         if (status == 0 .and. found >= 1 .and. found <= size(names)) count = 1
       end if
-      if (count == 1) then
-         pendulums = pendulums(found:found)
-      else
-         call fail(error, code_input, 'option --pendulum: '//trim(merge('none is named    ', 'several are named', &
-            count == 0)) //" '"//shown(choice)//"'; give another name, or a number from 1 to "// &
-            integer_text(size(pendulums)))
-      end if
-   end subroutine choose_pendulum
+      if (count /= 1) call fail(error, code_input, 'option --pendulum: '// &
+         trim(merge('none is named    ', 'several are named', count == 0)) //" '"//shown(choice)// &
+         "'; give another name, or a number from 1 to "//integer_text(size(names)))
+   end subroutine find_choice
 
    !> Takes the values of a group and finds its start.
    pure subroutine pendulum_from_group(given, body_line, body, pendulum, error)

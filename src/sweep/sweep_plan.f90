@@ -13,7 +13,7 @@ module kyvadlo_sweep_plan
    use kyvadlo_scene_effects, only: effects_of, get_table_paths
    use kyvadlo_scene_groups
    use kyvadlo_scene_orbit, only: numbers_of, numbers_type
-   use kyvadlo_scene_reader, only: pendulums_from_groups
+   use kyvadlo_scene_reader, only: keep_pendulum, pendulums_from_groups
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_settings_reader, only: settings_from_groups
    use kyvadlo_simulation, only: simulation_type
@@ -78,19 +78,22 @@ contains
 
    !> The plan in a text. Errors (`code_input`), with file and line: those of the scene; an axis, a measure or a
    !> histogram that is not understood.
-   subroutine read_plan(text, file, folder, plan, error)
+   subroutine read_plan(text, file, folder, plan, error, pendulum)
       character(len=*), intent(in) :: text
       character(len=*), intent(in) :: file                  !! Name for messages
       character(len=*), intent(in) :: folder                !! Where the files that it names lie
       type(plan_type), intent(out) :: plan
       type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in), optional :: pendulum    !! Its name or number
       type(group_type), allocatable :: all_groups(:)
       type(pendulum_type), allocatable :: pendulums(:)
       integer :: i, measure
 
       plan%text = text
       plan%file = file
+      if (present(pendulum)) plan%text = text//'! --pendulum '//pendulum
       call parse_groups(text, file, all_groups, error)
+      if (.not. allocated(error)) call keep_pendulum(all_groups, file, error, pendulum)
       if (allocated(error)) return
       plan%groups = pack_groups(all_groups)
       call read_axes(all_groups, plan, error)
@@ -99,10 +102,6 @@ contains
       if (allocated(error)) return
       call pendulums_from_groups(plan%groups, file, pendulums, error)
       if (allocated(error)) return
-      if (size(pendulums) > 1) then
-         call fail(error, code_input, place_of(file, pendulums(2)%line)//'a second &pendulum; a plan has one')
-         return
-      end if
       plan%scene%pendulum = pendulums(1)
       plan%scene%text = text
       plan%scene%folder = folder

@@ -38,6 +38,17 @@ same Q "$(sed -n 's/.*"p_value": \([^,]*\),/\1/p' "$scratch/pendulum.json")" 0.7
 # What does not depend on it is asked of the first ten seconds of the laboratory, integrated as they are.
 head -n 101 $examples/laboratory.csv >"$scratch/short.csv"
 
+# One pendulum of several, by name or number: as if the scene had it alone, also in the fitted scene.
+{ echo "&pendulum name='other' length=3, release_angle=5, release_speed=0 /"; cat published/pendulum.nml; } >"$scratch/two.nml"
+for name in lsqfit 2; do
+   "$kyvadlo" fit "$scratch/two.nml" published/pendulum.csv --format csv --pendulum $name >"$scratch/chosen" || complain "--pendulum: status $?"
+   cmp -s "$scratch/chosen" "$scratch/pendulum" || complain "--pendulum $name: $(head -n 2 "$scratch/chosen")"
+done
+"$kyvadlo" fit "$scratch/two.nml" published/pendulum.csv --pendulum lsqfit >"$scratch/chosen" || complain "--pendulum: status $?"
+grep -c 'other' "$scratch/chosen" | grep -qx 0 || complain 'the fitted scene has the other pendulum'
+refused 2 "option --pendulum: none is named 'x'; give another name, or a number from 1 to 2" "$scratch/two.nml" published/pendulum.csv --pendulum x
+refused 2 'two.nml:3: a second &pendulum; choose it by --pendulum' "$scratch/two.nml" published/pendulum.csv
+
 # Profile: of this case, which is near a parabola, the sigmas; and for a sure asymmetry, where chi2 has grown by 1 for real.
 "$kyvadlo" fit published/pendulum.nml published/pendulum.csv --format csv --profile >"$scratch/profile" || complain "profile: status $?"
 head -n 1 "$scratch/profile" | grep -qx 'parameter,value,sigma,least,most' || complain "profile: $(head -n 1 "$scratch/profile")"

@@ -12,18 +12,20 @@ same() {
    cmp -s "$1" "$2" || complain "$2 must have the bytes of $1"
 }
 
-# Values are those of eval, and masked is what eval refuses.
+# Values are those of eval to 8 ulp, and masked is what eval refuses.
 run sweep "$plans/periods.nml"
 expect_status 0
 tail -n +2 out | awk -F, 'NR % 7 == 1' >some
-while IFS=, read -r upper lower period modulus advance status; do
+while IFS=, read -r upper lower values; do
    answer=$("$program" eval orbit 1 9.80665 "$upper" "$lower" 2>/dev/null)
    if [ -z "$answer" ]; then expected=,,,inadmissible; else
       expected=$(echo "$answer" | awk '{ print $1 "," $2 "," $8 ",computed" }'); fi
-   checks=$((checks + 1))
-   [ "$period,$modulus,$advance,$status" = "$expected" ] ||
-      complain "at $upper $lower expected $expected, got $period,$modulus,$advance,$status"
-done <some
+   echo "$upper,$lower,$values,$expected"
+done <some >both
+checks=$((checks + 1))
+awk -F, 'function near(x, y) { return x == y || (x - y)^2 <= (1.8e-15*y)^2 && x != "" && y != "" }
+   !(near($3, $7) && near($4, $8) && near($5, $9) && $6 == $10) { print }' both >found
+{ [ ! -s found ] && [ "$(wc -l <both)" -gt 50 ]; } || complain "a sweep, and eval: $(head -n 3 found)"
 
 # What is refused.
 plan() { printf '%s\n' "&pendulum length=1, z_upper=0.3, z_lower=-0.8 /" "$@" >plan.nml; }
@@ -62,6 +64,22 @@ expect_out 'length,gravity,z_upper,heights_1,heights_2,status
 2e+00,9e+00,2e-01,2e-01,-8e-01,computed
 2e+00,1e+01,2e-01,2e-01,-8e-01,computed'
 
+# One pendulum of several, by name or number: as if the plan had it alone.
+axis="&axis name='gravity', values=9,10 / &measure quantities='T heights' /"
+printf '%s\n' "&pendulum name='low' length=2, z_upper=-1, z_lower=-1.8 / $axis" >low.nml
+printf '%s\n' "&pendulum length=1, z_upper=0.3, z_lower=-0.8 / &pendulum name='low' length=2, z_upper=-1, z_lower=-1.8 /" \
+   "$axis" >two.nml
+run sweep low.nml
+cp out low.csv
+for name in low 2; do
+   run sweep two.nml --pendulum $name
+   same low.csv out
+done
+run sweep two.nml --pendulum 'pendulum 1'
+expect_match '^9e+00,.*,3e-01,-8e-01,computed'
+fails 2 "option --pendulum: none is named 'x'; give another name, or a number from 1 to 2" sweep two.nml --pendulum x
+fails 2 'two.nml:1: a second &pendulum; choose it by --pendulum' sweep two.nml
+
 [ -n "$with_netcdf" ] || { echo 'no NetCDF in this build: no file tested'; finish; exit; }
 fails 2 'probe.nc is there already' sweep "$plans/periods.nml" --output probe.nc
 cp probe.nc before.nc
@@ -77,6 +95,11 @@ expect_status 0
 same before.nc probe.nc
 fails 2 'of another plan' sweep "$plans/thrown.nml" --output probe.nc --resume
 same before.nc probe.nc
+run sweep two.nml --pendulum low --output low.nc
+expect_status 0
+run sweep two.nml --pendulum low --output low.nc --resume
+expect_status 0
+fails 2 'of another plan' sweep two.nml --pendulum 1 --output low.nc --resume
 : >empty.nc
 run sweep "$plans/periods.nml" --output empty.nc --resume
 expect_status 0
@@ -117,10 +140,23 @@ if [ -n "$mpirun" ]; then
       ranks "$n" plan.nml --output "ranks$n.nc" >out 2>err
       same one.nc "ranks$n.nc"
    done
+   # The counter over a network: sockets in place of shared memory (Open MPI's names).
+   if "$mpirun" --version 2>/dev/null | grep -q 'Open MPI'; then
+      command_line='mpirun --mca btl tcp,self --mca osc ^sm -n 3 kyvadlo sweep'
+      OMPI_MCA_btl=tcp,self OMPI_MCA_osc=^sm ranks 3 plan.nml --output tcp.nc >out 2>err
+      same one.nc tcp.nc
+   fi
 fi
 
 # Ended early at twenty moments by one signal or another, and gone on with by other numbers of ranks.
-sed 's/count = 300/count = 800/' plan.nml >wide.nml
+# Starts by energy take a set-up each: long enough to be ended.
+cat >wide.nml <<'END'
+&pendulum length = 1 /
+&axis name = 'energy', from = -9.5, to = 8, count = 800 /
+&axis name = 'momentum', from = 0, to = 2, count = 800 /
+&measure quantities = 'T advance turning' /
+&histogram quantity = 'T', from = 0.9, to = 2, count = 20 /
+END
 run sweep wide.nml --output wide.nc
 expect_status 0
 kills=0
@@ -180,9 +216,10 @@ fi
 # A second run on the file of a first; interrupted, it says how to go on; a disk without room.
 cat >long.nml <<'END'
 &pendulum length = 1 /
-&axis name = 'z_upper', from = -0.5, to = 1, count = 3000 /
-&axis name = 'z_lower', from = -1, to = -0.3, count = 3000 /
+&axis name = 'z_upper', from = -0.5, to = 1, count = 300000 /
+&axis name = 'z_lower', from = -1, to = -0.3, count = 300000 /
 &measure quantities = 'T' /
+&histogram quantity = 'T', from = 0.9, to = 2, count = 20 /
 END
 "$program" sweep long.nml --output long.nc 2>long.err &
 pid=$!
@@ -193,6 +230,14 @@ kill -TERM "$pid"
 wait "$pid" 2>/dev/null
 checks=$((checks + 1))
 grep -q 'go on with: kyvadlo sweep long.nml --output long.nc --resume' long.err || complain "the words: $(cat long.err)"
+# On a terminal: the line of progress, and Ctrl-C typed.
+if script --version 2>/dev/null | grep -q util-linux; then
+   { sleep 4; printf '\003'; sleep 1; } | script -qec "'$program' sweep long.nml --output typed.nc" shown >out 2>err
+   for text in 'points/s, ' 'interrupted; what is done is kept: go on with: kyvadlo sweep long.nml --output typed.nc --resume'; do
+      checks=$((checks + 1))
+      grep -q "$text" shown || complain "on a terminal '$text' must be seen: $(tail -n 3 shown)"
+   done
+fi
 # MPI itself does not start under a small ulimit -f: a disk of its own, where one may mount it.
 mkdir small
 if mount -t tmpfs -o size=64k none small 2>/dev/null; then
