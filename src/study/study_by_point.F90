@@ -2,6 +2,7 @@
 !> integrals of the third kind; the textbook's small oscillations.
 module kyvadlo_study_by_point
    use, intrinsic :: iso_fortran_env, only: int64, real64, real128
+   use kyvadlo_batch_constants, only: form_scalar
    use kyvadlo_carlson_rf_real64, only: carlson_rf
    use kyvadlo_carlson_rj_real64, only: carlson_rj
    use kyvadlo_complete_pi_real64, only: elliptic_pic
@@ -135,6 +136,7 @@ contains
       call set_up_orbit(work%start, orbit, error)
       work%has_failed = allocated(error)
       orbit%terms = min(orbit%terms, work%terms)
+      orbit%kernel%form = form_scalar   ! It knows the whole azimuth.
       jacobi = new_jacobic(orbit%complementary_parameter)
       rate = orbit%phase_rate()
       associate (turning => orbit%turning)
