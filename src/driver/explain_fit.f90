@@ -2,10 +2,11 @@
 module kyvadlo_explain_fit
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_fit_data, only: column_names, column_period, columns, fit_data_type
+   use kyvadlo_fit_loss, only: loss_squares
    use kyvadlo_fit_model, only: model_type, use_until
    use kyvadlo_fit_motion, only: find_states
    use kyvadlo_fit_places, only: effect_guesses, guess_places, most_guesses, new_model, place_type
-   use kyvadlo_fit_request, only: fit_request_type, loss_squares
+   use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_fit_unknowns, only: place_at
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text

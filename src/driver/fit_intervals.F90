@@ -160,6 +160,7 @@ contains
       call new_model(fresh, request, data, is_estimated)
       model = result%model
       model%motion%of = fresh%motion%of
+      model%unknowns = size(model%motion%of)
       model%motion%number = result%number
       allocate (x(size(model%motion%of)))
       call place_at(model%motion, x, away=1.0_wp)

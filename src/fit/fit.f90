@@ -2,11 +2,11 @@
 !> tell.
 module kyvadlo_fit
    use kyvadlo_fit_data
-   use kyvadlo_fit_loss, only: soften
+   use kyvadlo_fit_loss, only: loss_squares, soften
    use kyvadlo_fit_model, only: leave_room, predict, use_until
    use kyvadlo_fit_motion, only: find_states
    use kyvadlo_fit_places, only: new_model, sigma_groups
-   use kyvadlo_fit_request, only: fit_request_type, loss_squares
+   use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_fit_result, only: fit_result_type, fitted_type
    use kyvadlo_fit_search, only: is_still, minimise_all, search
    use kyvadlo_fit_sigmas, only: find_sigmas, name_results

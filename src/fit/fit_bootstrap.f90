@@ -1,9 +1,9 @@
 !> Intervals by bootstrap: fits of copies of the data whose rows are drawn from the rows, with replacement.
 module kyvadlo_fit_bootstrap
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_fit_loss, only: loss_squares
    use kyvadlo_fit_model, only: model_type
    use kyvadlo_fit_physics, only: physics_type
-   use kyvadlo_fit_request, only: loss_squares
    use kyvadlo_fit_search, only: minimise_all
    use kyvadlo_fit_unknowns, only: physics_at
    use kyvadlo_kinds, only: wp => real64

@@ -1,10 +1,11 @@
 !> What errors of times, and a loss, make of residuals in sigmas and of their derivatives.
 module kyvadlo_fit_loss
-   use kyvadlo_fit_request, only: loss_cauchy, loss_huber
    use kyvadlo_kinds, only: wp => real64
    implicit none
    private
-   public :: allow_for_row, soften
+   public :: allow_for_row, soften, loss_squares, loss_huber, loss_cauchy
+
+   integer, parameter :: loss_squares = 1, loss_huber = 2, loss_cauchy = 3
 
 contains
 

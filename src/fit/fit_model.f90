@@ -1,14 +1,13 @@
 !> What a motion says of the measurements: residuals in sigmas and their derivatives by the unknowns.
 module kyvadlo_fit_model
    use kyvadlo_fit_data
-   use kyvadlo_fit_loss, only: allow_for_row, soften
+   use kyvadlo_fit_loss, only: allow_for_row, loss_squares, soften
    use kyvadlo_fit_observation, only: camera_angle, camera_offset, camera_scale, observe, &
       observe_moved, period_of, to_event
    use kyvadlo_fit_physics, only: camera_type, direction_type, is_seen_otherwise, physics_type, show, &
       states_procedure, unit_period
-   use kyvadlo_fit_request, only: loss_squares
    use kyvadlo_fit_selection
-   use kyvadlo_fit_unknowns, only: camera_at, numbers_at, outward_slopes, physics_at
+   use kyvadlo_fit_unknowns, only: camera_at, numbers_at, outward_slopes, physics_at, unknowns_type
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_scene_groups
    implicit none
@@ -17,6 +16,7 @@ module kyvadlo_fit_model
 
    !> What a motion says of measurements in use.
    type, extends(selection_type) :: model_type
+      type(unknowns_type) :: motion
       procedure(states_procedure), pointer, nopass :: find_states => null()
    contains
       procedure :: evaluate => evaluate_model

@@ -94,6 +94,7 @@ contains
       model%loss_scale = request%loss_scale
       call new_unknowns(model%motion, request, .not. any(data%has([column_x, column_y, column_z, column_azimuth, &
          column_u, column_v, column_tension, column_plane])))
+      model%unknowns = size(model%motion%of)
       k = count([(request%free(i)%prior_sigma > 0, i=1, size(request%free))])
       if (k > 0) then
          allocate (model%prior(k), model%prior_value(k), model%prior_sigma(k))

@@ -1,6 +1,7 @@
 !> What a scene asks a fit for: which settings are free, what is known of them, and how the data were seen.
 module kyvadlo_fit_request
    use kyvadlo_fit_data, only: column_names, column_amplitude, columns
+   use kyvadlo_fit_loss, only: loss_squares
    use kyvadlo_group_values, only: read_group, refuse, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: entry_type, group_type, parse_groups, place_of
@@ -15,9 +16,8 @@ module kyvadlo_fit_request
    use kyvadlo_text, only: lower_case, shown, split_words, text_type
    implicit none
    private
-   public :: fit_request_type, free_type, parse_fit_request, loss_squares, loss_huber, loss_cauchy
+   public :: fit_request_type, free_type, parse_fit_request
 
-   integer, parameter :: loss_squares = 1, loss_huber = 2, loss_cauchy = 3
    character(len=8), parameter :: loss_names(3) = [character(len=8) :: 'squares', 'huber', 'cauchy']
    !> Ninety-five per cent efficient for normal errors (P. J. Huber 1964; P. W. Holland and R. E. Welsch 1977).
    real(wp), parameter :: loss_scales(3) = [1.0_wp, 1.345_wp, 2.385_wp]

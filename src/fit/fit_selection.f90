@@ -1,8 +1,7 @@
 !> Measurements of a fit, and which of them are in use.
 module kyvadlo_fit_selection
    use kyvadlo_fit_data, only: column_period, column_plane, column_tension, is_event
-   use kyvadlo_fit_request, only: loss_squares
-   use kyvadlo_fit_unknowns, only: unknowns_type
+   use kyvadlo_fit_loss, only: loss_squares
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_least_squares, only: least_squares_type
    implicit none
@@ -16,9 +15,8 @@ module kyvadlo_fit_selection
       real(wp) :: amplitude = 0, amplitude_sigma = 0      !! Beside a period
    end type measurement_type
 
-   !> All of them, those up to some time that are in use, and the unknowns.
+   !> All of them, and those up to some time that are in use.
    type, extends(least_squares_type), abstract :: selection_type
-      type(unknowns_type) :: motion
       type(measurement_type), allocatable :: all(:)       !! By column and row, those of a row together, times ascending
       logical :: is_ascending = .false.                   !! Their times are
       integer, allocatable :: used(:)                     !! Places in `all`
@@ -86,7 +84,6 @@ contains
       model%residuals = n
       if (allocated(model%prior)) model%residuals = model%residuals + size(model%prior)
       if (allocated(model%pull)) model%residuals = model%residuals + size(model%pull)
-      model%unknowns = size(model%motion%of)
    end subroutine use_until
 
    !> How many measurements there are until a time.

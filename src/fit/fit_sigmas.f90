@@ -2,8 +2,9 @@
 module kyvadlo_fit_sigmas
    use kyvadlo_chi2, only: chi2_probability
    use kyvadlo_fit_known, only: say_known
+   use kyvadlo_fit_loss, only: loss_squares
    use kyvadlo_fit_physics, only: direction_type, physics_type
-   use kyvadlo_fit_request, only: fit_request_type, loss_squares
+   use kyvadlo_fit_request, only: fit_request_type
    use kyvadlo_fit_result, only: fit_result_type
    use kyvadlo_fit_unknowns, only: form_logarithm, form_plain, numbers_at, physics_at, place_at, unknown_position, &
       unknown_scalar, unknown_velocity, unknowns_type
