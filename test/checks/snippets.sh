@@ -91,7 +91,7 @@ if [ "$mode" = programs ]; then
          *) continue ;;
       esac
       # A build without GSL has no integrator and no fits.
-      if grep -q -e 'use kyvadlo_integrator' -e 'use kyvadlo_fit' -e '<gsl/' "$block"; then
+      if grep -q -e 'use kyvadlo_integrator' -e 'use kyvadlo_fit' -e 'gsl' "$block"; then
          [ -n "$(find "$place" -name kyvadlo_integrator.mod)" ] || continue
       fi
       gsl=
