@@ -264,7 +264,7 @@ contains
             call use_until(model, until, max(1, rows/max(most_rows, 12*size(x))))
          end if
          ! What a coefficient does in a window is to be small where it begins.
-         call place_at(model%motion, x, away=min(1.0_wp, 2.5_wp*period/max(until - first, tiny(1.0_wp))))
+         call place_at(model%motion, x, away=2.5_wp*period/max(until - first, 2.5_wp*period, tiny(period)))
          model%motion%is_exact = was_exact .or. stage == 1
          call set_tolerance(model, is_last)
          if (.not. is_last) then
@@ -281,7 +281,7 @@ contains
          end if
          model%motion%is_exact = was_exact
          if (present(hopeless) .and. .not. is_last) then
-            if (minimum%squares > hopeless*size(model%used)) minimum%squares = huge(1.0_wp)
+            if (minimum%squares/max(1, size(model%used)) > hopeless) minimum%squares = huge(1.0_wp)
          end if
          if (.not. minimum%squares < huge(1.0_wp)) return
          call numbers_of_start(model%motion, x, number, rates)
