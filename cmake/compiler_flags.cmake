@@ -47,6 +47,9 @@ endif()
 # measured with vector instructions, and is tested against that bound. The flags come after those above and win:
 #
 #   kyvadlo_batch_kernel(positions_kernel.F90 -O3 -ftree-vectorize -finline-limit=2000)
+#
+# Builds whose speed is of no matter (those that only try an installation, the sanitizers) set KYVADLO_KERNEL_OPTIMISATION
+# to -O0 or -O1, which comes last: kernels take a third of the time of a build.
 function(kyvadlo_batch_kernel source)
   if(NOT ARGN)
     message(FATAL_ERROR "kyvadlo_batch_kernel(${source}): name the flags")
@@ -54,7 +57,7 @@ function(kyvadlo_batch_kernel source)
   cmake_path(ABSOLUTE_PATH source)
   # The library targets are created in src, the program in src/driver: the property must be seen there.
   set_source_files_properties(${source} DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src
-    PROPERTIES COMPILE_OPTIONS "${ARGN}")
+    PROPERTIES COMPILE_OPTIONS "${ARGN};${KYVADLO_KERNEL_OPTIMISATION}")
 endfunction()
 
 # kyvadlo_fortran_target(target): our flags, and a folder of its own for the target's module files, which whoever links

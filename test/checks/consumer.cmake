@@ -15,8 +15,9 @@ file(MAKE_DIRECTORY ${WORK})
 if(SHARED)
   set(BUILD ${WORK}/build)
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G ${GENERATOR} -DBUILD_SHARED_LIBS=ON -DKYVADLO_BUILD_TESTS=OFF
-    -DKYVADLO_WITH_GSL=${WITH_GSL} -DCMAKE_BUILD_TYPE=None "-DCMAKE_Fortran_FLAGS=${FLAGS} -O0" "-DCMAKE_C_FLAGS=${C_FLAGS}")
-  run(${CMAKE_COMMAND} --build ${BUILD})
+    -DKYVADLO_WITH_GSL=${WITH_GSL} -DCMAKE_BUILD_TYPE=None -DKYVADLO_KERNEL_OPTIMISATION=-O0
+    "-DCMAKE_Fortran_FLAGS=${FLAGS} -O0" "-DCMAKE_C_FLAGS=${C_FLAGS}")
+  run(${CMAKE_COMMAND} --build ${BUILD} --target kyvadlo_to_install)
 endif()
 if(DPKG_DEB)
   # Everything is built. With Makefiles cpack would have make look at the whole tree once more; said to be Ninja's, it does not.

@@ -31,6 +31,7 @@ install(TARGETS swing)
 ")
   set(build ${WORK}/${name})
   run(${CMAKE_COMMAND} -S ${WORK}/kyvadlo/${name} -B ${build} -G ${GENERATOR} -DKYVADLO_WITH_GSL=OFF -DKYVADLO_WITH_REAL128=OFF
+    -DKYVADLO_KERNEL_OPTIMISATION=-O0 -DCMAKE_Fortran_FLAGS=-O0
     -DCMAKE_INSTALL_PREFIX=${WORK}/prefix)
   run(${CMAKE_COMMAND} --build ${build} --target swing)
   execute_process(COMMAND ${build}/swing OUTPUT_VARIABLE swing COMMAND_ERROR_IS_FATAL ANY)
