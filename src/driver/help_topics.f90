@@ -3,7 +3,7 @@ module kyvadlo_help_topics
    use kyvadlo_commands, only: commands
    use kyvadlo_quantities, only: default_quantities, quantities
    use kyvadlo_roff, only: roff, upper_case
-   use kyvadlo_scene_groups, only: group_names, has_closed_form, settings, starts
+   use kyvadlo_scene_groups, only: group_meanings, group_names, has_closed_form, settings, starts
    use kyvadlo_text, only: text_sink_type
    implicit none
    private
@@ -78,6 +78,12 @@ contains
          call put_lines( &
             'z1 is the upper and z2 the lower turning height, l the length, g gravity, c1 the energy and c2 the', &
             'angular momentum about the vertical per mass. `kyvadlo examples` lists scenes to begin with.')
+         call put_lines('Other groups of a scene (their names: `kyvadlo help effects`, `output`, `fit`):', '')
+         do i = 1, size(group_names)
+            if (topic_of(trim(group_names(i))) == name) cycle
+            if (for_roff) call put_item('&'//trim(group_names(i)), trim(group_meanings(i)))
+            if (.not. for_roff) call sink%put('  &'//group_names(i)//'  '//trim(group_meanings(i)))
+         end do
       case ('effects')
          call put_lines( &
             'A group for each effect; without its group an effect is not there and costs nothing. What has a', &
@@ -113,9 +119,10 @@ contains
          if (name == 'effects') how = trim(merge(' (closed form)', ' (integrated) ', has_closed_form(group)))
          if (for_roff) then
             call sink%put('.SS &'//roff(trim(group_names(group))//how))
+            call sink%put(roff(trim(group_meanings(group))))
          else
             call sink%put('')
-            call sink%put('&'//trim(group_names(group))//how)
+            call sink%put('&'//trim(group_names(group))//how//': '//trim(group_meanings(group)))
          end if
          do j = 1, size(settings)
             associate (s => settings(j))

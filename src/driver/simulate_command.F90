@@ -23,7 +23,6 @@ module kyvadlo_simulate_command
    use kyvadlo_summary, only: new_summary, summary_type, write_summary
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
    use kyvadlo_text, only: counting_sink_type, shown, text_type
-   use kyvadlo_wide_samples, only: is_wide
    use kyvadlo_watched_samples, only: new_watch, stop_watch, watched_samples_type
    implicit none
    private
@@ -69,8 +68,6 @@ contains
       if (.not. allocated(error)) call check_tolerance(path, option_given(arguments, '--check'), error)
       if (.not. allocated(error) .and. path%figures > 0 .and. is_netcdf_name(option_value(arguments, '--output', ''))) &
          call fail(error, code_input, 'option --accuracy below 1e-16 needs CSV: a NetCDF file (.nc) has doubles')
-      if (.not. allocated(error) .and. is_wide(path) .and. option_given(arguments, '--summary')) call fail(error, &
-         code_input, 'option --summary is computed in double precision, and neither to this accuracy nor for so long')
       if (.not. allocated(error) .and. option_given(arguments, '--explain')) call explain_scene(simulation, path, error)
       if (.not. allocated(error)) call run(arguments, simulation, path, error)
    end subroutine simulate_command

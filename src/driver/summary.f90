@@ -4,21 +4,26 @@
 module kyvadlo_summary
    use kyvadlo_buoyancy, only: effective_gravity
    use kyvadlo_crossings, only: extreme_type
-   use kyvadlo_effects, only: has_drag
+   use kyvadlo_effects, only: effects_type, has_drag
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_motion_kinds
    use kyvadlo_number_text, only: digits_text, shortest_text
    use kyvadlo_numbers, only: is_finite, quiet_nan_real64
    use kyvadlo_orbit_real64, only: orbit_type
+   use kyvadlo_pairs_real64, only: value
+   use kyvadlo_pivot, only: pivot_motion
    use kyvadlo_quantities
    use kyvadlo_sample_block, only: columns_of, in_laboratory
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
+   use kyvadlo_scene_groups, only: air_group, elastic_group, group_names, hoist_group, moving_pivot_group, &
+      string_group, wind_group
    use kyvadlo_scene_settings, only: event_request_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path, only: path_closed_form, path_type
    use kyvadlo_state_real64, only: new_orbit_from_state
    use kyvadlo_status, only: error_type
    use kyvadlo_text, only: integer_text, text_sink_type
+   use kyvadlo_turning_frame, only: seen_from_turning_frame
    implicit none
    private
    public :: summary_type, new_summary, write_summary
@@ -38,10 +43,11 @@ module kyvadlo_summary
       integer, private :: tops = 0, samples = 0, flights = 0
       real(wp), private :: times(2) = 0, planes(2) = 0, radii(2) = 0 !! Of the first and the last highest point
       real(wp), private :: area_sum = 0, support_sum = 0
-      real(wp), private :: first(9) = 0, last(9) = 0, ends(2) = 0 !! Columns of the first and the last sample
+      real(wp), private :: first(3) = 0, last(3) = 0, ends(2) = 0 !! The last columns of the first and the last sample
       real(wp), private :: slack_since = -1, slack_time = 0, lost = 0
       real(wp), private :: gravity = 0, frame_rate = 0, frequencies(2) = 0
-      logical, private :: has_parts = .true.           !! Positions are shown where the pivot is
+      logical, private :: moves = .false.              !! With the pivot, what is shown
+      type(effects_type), private :: effects
    contains
       procedure :: begin => begin_summary
       procedure :: take => take_summary
@@ -59,18 +65,21 @@ contains
       type(path_type), intent(in) :: path
       type(simulation_type), intent(inout) :: wanted
       integer, parameter :: needed(*) = [quantity_position, quantity_velocity, quantity_speed, quantity_tension, &
-         quantity_major, quantity_minor, quantity_plane, quantity_handedness, quantity_energy, quantity_drag_work, &
-         quantity_pivot_work]
+         quantity_energy, quantity_drag_work, quantity_pivot_work, quantity_major, quantity_minor, quantity_plane, &
+         quantity_handedness]
       type(column_type), allocatable :: columns(:)
       integer :: i, place
 
-      do i = 1, size(needed)
+      ! One orbit is told by its constants, not by its highest points.
+      do i = 1, merge(7, size(needed), path%path == path_closed_form)
          if (all(wanted%settings%quantities /= needed(i))) &
             wanted%settings%quantities = [wanted%settings%quantities, needed(i)]
       end do
-      wanted%settings%events = [simulation%settings%events, event_request_type(quantity=quantity_velocity, &
-         component=3, direction=-1, names=[character(len=64) :: '', 'highest point'])]
-      summary%top = size(wanted%settings%events)
+      if (path%path /= path_closed_form) then
+         wanted%settings%events = [simulation%settings%events, event_request_type(quantity=quantity_velocity, &
+            component=3, direction=-1, names=[character(len=64) :: '', 'highest point'])]
+         summary%top = size(wanted%settings%events)
+      end if
       allocate (columns, source=columns_of(wanted))
       allocate (summary%extremes(6))
       do i = 1, 3
@@ -80,7 +89,8 @@ contains
       summary%gravity = effective_gravity(path%gravity, path%effects%density_ratio, path%effects%added_mass)
       summary%frame_rate = simulation%settings%frame_rate
       summary%frequencies = sqrt(summary%gravity/(path%length + path%effects%extra_length))
-      summary%has_parts = .not. in_laboratory(simulation)
+      summary%moves = in_laboratory(simulation)
+      summary%effects = path%effects
    end subroutine new_summary
 
    subroutine begin_summary(sink, columns)
@@ -103,10 +113,10 @@ contains
       n = size(values, 1)
       if (n == 0) return
       if (sink%samples == 0) then
-         sink%first = values(1, sink%columns)
+         sink%first = values(1, sink%columns(7:))
          sink%ends(1) = values(1, 1)
       end if
-      sink%last = values(n, sink%columns)
+      sink%last = values(n, sink%columns(7:))
       sink%ends(2) = values(n, 1)
       sink%samples = sink%samples + n
    end subroutine take_summary
@@ -115,7 +125,7 @@ contains
       class(summary_type), intent(inout) :: sink
       type(scene_event_type), intent(in) :: event
 
-      if (event%request == sink%top) then
+      if (event%request > 0 .and. event%request == sink%top) then
          call take_top(sink, event%time, event%values)
       else if (event%request == 0) then
          sink%lost = sink%lost + event%energy_lost
@@ -132,7 +142,7 @@ contains
    subroutine take_top(sink, time, values)
       class(summary_type), intent(inout) :: sink
       real(wp), intent(in) :: time, values(:)
-      real(wp) :: position(3), velocity(3), twist
+      real(wp) :: position(3), velocity(3), displacement(3), pivot_velocity(3), twist
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
 
@@ -150,6 +160,12 @@ contains
          sink%radii(2) = major
          position = values(sink%columns(1):sink%columns(1) + 2)
          velocity = values(sink%columns(2):sink%columns(2) + 2)
+         if (sink%moves) then
+            call pivot_motion(sink%effects, time, displacement, pivot_velocity)
+            call seen_from_turning_frame(sink%frame_rate, time, displacement, pivot_velocity)
+            position = position - displacement
+            velocity = velocity - pivot_velocity
+         end if
          ! In the resting frame, whose axes are those of the turning one now.
          velocity(:2) = velocity(:2) + sink%frame_rate*[-position(2), position(1)]
          velocity = velocity - position*(dot_product(position, velocity)/dot_product(position, position))
@@ -185,7 +201,7 @@ contains
          when(i, :) = summary%extremes(2*i - 1:2*i)%time
       end do
       if (summary%slack_since >= 0) summary%slack_time = summary%slack_time + summary%ends(2) - summary%slack_since
-      account = [summary%first(7), summary%last(7), summary%last(8), summary%last(9), summary%lost]
+      account = [summary%first(1), summary%last, summary%lost]
       if (as_json) then
          call write_json()
       else
@@ -212,12 +228,16 @@ contains
          do i = 1, merge(4, 0, precession == precession)
             if (abs(parts(i)) > 0) line = line//'; '//trim(part_names(i))//' '//in_degrees(parts(i))
          end do
+         if (precession == precession) then
+            if (abs(precession - sum(parts)) > 0) line = line//'; rest '//in_degrees(precession - sum(parts))//' ('// &
+               trim(untold(simulation))//')'
+         end if
          call sink%put(line)
          if (decay == decay) then
             call sink%put('decay:      of the radius from '//number(summary%radii(1))//' to '// &
                number(summary%radii(2))//' m: 1/e in '//number(decay)//' s, Q = '//number(quality))
          else
-            call sink%put('decay:      none')
+            call sink%put('decay:      none'//trim(merge(' found', '      ', has_drag(path%effects))))
          end if
          do i = 1, 3
             line = trim(extreme_names(i))//':'
@@ -231,20 +251,21 @@ contains
          if (abs(account(3)) > 0) line = line//'; air '//number(account(3))
          if (abs(account(4)) > 0) line = line//'; pivot '//number(account(4))
          if (account(5) > 0) line = line//'; string '//number(-account(5))
-         call sink%put(line//'; left over '//digits_text(unexplained(), 2))
+         call sink%put(line//'; left over '//trim(digits_text(unexplained(), 2))//', '// &
+            trim(digits_text(unexplained()/(path%gravity*path%length), 2))//' of g l')
       end subroutine write_text
 
       subroutine write_json()
          call sink%put('{"pendulum": "'//escaped(simulation%pendulum%name)//'",')
          call sink%put(' "path": "'//escaped(path%method)//'",')
          call sink%put(' "duration_s": '//json(summary%ends(2))//', "samples": '//integer_text(summary%samples)//',')
-         call sink%put(' "period_to_and_fro_s": '//json(period)//', "highest_points": '// &
-            integer_text(summary%tops)//',')
+         call sink%put(' "period_to_and_fro_s": '//json(period)//', "highest_points": '//tops_text()//',')
          call sink%put(' "precession_rad_per_s": '//json(precession)//',')
          call sink%put(' "precession_parts_rad_per_s": {')
          do i = 1, 4
-            call sink%put('   "'//trim(part_keys(i))//'": '//json(parts(i))//merge('}, ', ',  ', i == 4))
+            call sink%put('   "'//trim(part_keys(i))//'": '//json(parts(i))//',')
          end do
+         call sink%put('   "rest": '//json(precession - sum(parts))//'},')
          call sink%put(' "decay_time_s": '//json(decay)//', "quality": '//json(quality)//',')
          do i = 1, 3
             call sink%put(' "'//trim(extreme_names(i))//'": {"least": '//json(found(i, 1))//', "at_s": '// &
@@ -254,8 +275,21 @@ contains
             json(summary%slack_time)//',')
          call sink%put(' "energy_m2_per_s2": {"first": '//json(account(1))//', "last": '//json(account(2))// &
             ', "air": '//json(account(3))//', "pivot": '//json(account(4))//', "lost_by_string": '//json(account(5))// &
-            ', "left_over": '//json(unexplained())//'}}')
+            ', "left_over": '//json(unexplained())//', "g_l": '//json(path%gravity*path%length)//'}}')
       end subroutine write_json
+
+      !> How many highest points there were; of one orbit by its period, null where that has not the digits.
+      function tops_text()
+         character(len=:), allocatable :: tops_text
+         real(wp) :: turns
+
+         turns = 0
+         if (path%path == path_closed_form .and. any(path%orbit%motion == [motion_generic, motion_plane_libration, &
+            motion_plane_rotation])) turns = (summary%ends(2) + value(path%orbit%start_phase))/path%orbit%period()
+         tops_text = integer_text(summary%tops)
+         if (turns >= huge(0)) tops_text = 'null'
+         if (turns > 0 .and. turns < huge(0)) tops_text = integer_text(floor(turns))
+      end function tops_text
 
       !> What the works do not account for.
       real(wp) function unexplained()
@@ -285,7 +319,7 @@ contains
          case (motion_generic, motion_plane_libration)
             period = 2*path%orbit%period()
             parts(area) = path%orbit%apsidal_rate()
-            parts(frame) = -summary%frame_rate
+            parts(frame) = 0 - summary%frame_rate
             precession = parts(area) + parts(frame)
          case (motion_conical)
             period = 2*pi*sqrt(-path%orbit%turning%upper/path%orbit%gravity)
@@ -295,13 +329,27 @@ contains
       else if (summary%tops > 1) then
          period = 2*(summary%times(2) - summary%times(1))/(summary%tops - 1)
          precession = (summary%planes(2) - summary%planes(1))/(summary%times(2) - summary%times(1))
-         if (.not. summary%has_parts) return
          parts(area) = summary%area_sum/summary%tops
-         parts(earth) = -path%effects%turn_rate(3)
+         parts(earth) = 0 - path%effects%turn_rate(3)
          parts(support) = summary%support_sum/summary%tops
-         parts(frame) = -summary%frame_rate
+         parts(frame) = 0 - summary%frame_rate
       end if
    end subroutine find_rates
+
+   !> What may turn the plane and has no part of its own.
+   pure function untold(simulation) result(text)
+      type(simulation_type), intent(in) :: simulation
+      character(len=100) :: text
+      integer, parameter :: groups(*) = [string_group, air_group, wind_group, moving_pivot_group, elastic_group, &
+         hoist_group]
+      integer :: i
+
+      text = ''
+      do i = 1, size(groups)
+         if (simulation%settings%given(groups(i))) text = trim(text)//' &'//trim(group_names(groups(i)))//','
+      end do
+      text = adjustl(trim(text)//' higher orders')
+   end function untold
 
    function number(value)
       real(wp), intent(in) :: value

@@ -99,6 +99,7 @@ contains
       if (event%request > sink%requests) return
       seen = event
       if (allocated(seen%values)) seen%values = seen%values(:sink%columns)
+      if (allocated(seen%cells)) seen%cells = seen%cells(:sink%columns)
       if (associated(sink%samples)) call sink%samples%note(seen)
       if (associated(sink%picture)) call sink%picture%note(seen)
    end subroutine note_watched

@@ -3,7 +3,7 @@ module kyvadlo_curves
    use, intrinsic :: iso_fortran_env, only: wp => real64
    implicit none
    private
-   public :: curve_type, look_up, next_joint, interval_at, least_value, integrated, move_curve
+   public :: curve_type, look_up, next_joint, rate_jump, interval_at, least_value, integrated, move_curve
 
    !> Not allocated: there is none. Before the first piece and behind the last these go on.
    type :: curve_type
@@ -54,6 +54,20 @@ contains
          end if
       end associate
    end function next_joint
+
+   !> By how much the first derivative of a motion in space jumps at a time: along straight lines, at their joints.
+   pure function rate_jump(curve, time) result(jump)
+      type(curve_type), intent(in) :: curve
+      real(wp), intent(in) :: time                  !! [s]
+      real(wp) :: jump(3)
+      integer :: k
+
+      jump = 0
+      if (.not. allocated(curve%times)) return
+      k = interval_at(curve%times, time)
+      if (ubound(curve%terms, 2) > 1 .or. k == 1 .or. time > curve%times(k)) return
+      jump = curve%terms(:, 1, k) - curve%terms(:, 1, k - 1)
+   end function rate_jump
 
    !> The k with t(k) <= time < t(k + 1), at the ends the outermost.
    pure integer function interval_at(t, time) result(low)

@@ -20,9 +20,10 @@ module kyvadlo_integrator
    use kyvadlo_integrated_columns
    use kyvadlo_integration_start, only: begin_motion
    use kyvadlo_suspension, only: put_on_surface
+   use kyvadlo_knots, only: pass_knot, show_behind_knot, show_columns_behind_knot
    use kyvadlo_dense_output, only: interpolant_type, add_node, clear, defect_point, defect_to_position, &
       defect_to_velocity, interpolate, nodes, prepare
-   use kyvadlo_stepper, only: stepper_type, free_stepper, hold_pieces, new_stepper, take_step, trial_step, unknowns
+   use kyvadlo_stepper, only: stepper_type, free_stepper, new_stepper, take_step, trial_step, unknowns, works
    use kyvadlo_string, only: event_slack, string_event_type
    use kyvadlo_string_contact, only: contact_type, find_contact, make_contact
    use kyvadlo_turned_azimuth, only: is_upright, turned_azimuth
@@ -66,13 +67,12 @@ module kyvadlo_integrator
       real(wp) :: azimuth = 0, azimuth_before = 0
       real(wp) :: first_azimuth = 0                    !! The first one known; NaN as long as there is none [rad]
    contains
-      procedure, non_overridable :: advance, step_on, within, finish
+      procedure, non_overridable :: advance, step_on, within, columns_within, finish
    end type integration_type
 
    !> A motion of more slack and taut stretches than this fails, as in kyvadlo_string: 6 MB of events.
    integer, parameter :: most_events = 100000
-   !> Part of sqrt(length/gravity) for the first step; the steps grow by up to 5, so that four of them find their
-   !> length.
+   !> Part of sqrt(length/gravity) for the first step; steps grow by up to 5, so that four find their length.
    real(wp), parameter :: first_step = 1e-3_wp
    !> Abscissas and weights of Gauss's rule with five points on [-1, 1] (DLMF 3.5.v).
    real(wp), parameter :: gauss_abscissas(5) = [-0.906179845938663992797627_wp, -0.538469310105683091036314_wp, &
@@ -87,8 +87,7 @@ contains
    !>
    !> Where it may start says `begin_motion`; a string that is slack at the start has its first event there.
    !>
-   !> On the axis the azimuth is that of the direction in which the bob moves, or is about to move; `azimuth` says it of
-   !> a bob at rest there that nothing moves yet.
+   !> On the axis the azimuth is where the bob moves, or is about to; `azimuth` says it of one that nothing moves yet.
    subroutine new_integration(run, effects, length, gravity, position, velocity, tolerance, error, with_work, &
       with_azimuth, azimuth, most_steps, changes)
       type(integration_type), intent(inout) :: run
@@ -201,8 +200,7 @@ contains
          call tell_failure(run, error)
          if (allocated(error)) exit
          call sample(run, times(i), positions(:, i), velocities(:, i), tensions(i), drag_work(i), pivot_work(i))
-         if (present(matrices)) call columns_now(run%columns, run%stepper, run%interpolant, times(i), &
-            run%between == by_polynomial, matrices(:, :, i))
+         if (present(matrices)) call run%columns_within(times(i), matrices(:, :, i))
          if (present(azimuths)) azimuths(i) = turned_azimuth(positions(1, i), positions(2, i), velocities(1, i), &
             velocities(2, i), run%azimuth_before)
          run%last_time = times(i)
@@ -244,7 +242,7 @@ contains
          call trial_step(run%stepper, time - run%stepper%start, y, rates, tension)
          position = run%stepper%problem%base + y(1:3)
          velocity = y(4:6)
-         work = works(run, y)
+         work = works(run%stepper%problem, y)
       else
          kept = [run%work_time, run%work]
          call sample(run, time, position, velocity, tension, work(1), work(2))
@@ -253,6 +251,17 @@ contains
       end if
       azimuth = turned_azimuth(position(1), position(2), velocity(1), velocity(2), run%azimuth_before)
    end subroutine within
+
+   !> The derivatives there, as samples show them.
+   subroutine columns_within(run, time, matrix)
+      class(integration_type), intent(inout) :: run
+      real(wp), intent(in) :: time                      !! [s]
+      real(wp), intent(out) :: matrix(:, :)             !! (6, p)
+
+      call columns_now(run%columns, run%stepper, run%interpolant, time, run%between == by_polynomial, matrix)
+      if (run%is_at_knot .and. .not. time < run%stepper%time) &
+         call show_columns_behind_knot(run%stepper%problem, time, run%stepper%y, matrix)
+   end subroutine columns_within
 
    !> Whether a time may be asked for.
    subroutine check_time(run, time, error)
@@ -314,19 +323,19 @@ contains
       real(wp), intent(in) :: target, gap
       type(string_event_type) :: event
       real(wp) :: limit, knot
-      logical :: is_far, failed
+      logical :: is_far, failed, has_event
 
       associate (stepper => run%stepper)
          if (run%has_contact) then
             call make_contact(stepper, run%contact, event)
             call append(run, event)
-            if (run%event_count > most_events) run%failure = failure_events
-            if (run%contact%is_tangential) run%failure = failure_tangential
-            if (run%failure > 0) return
          end if
-         call hold_pieces(stepper, knot)
+         call pass_knot(stepper, run%contact, knot, event, has_event)
+         if (has_event) call append(run, event)
+         if (run%event_count > most_events) run%failure = failure_events
+         if (run%contact%is_tangential) run%failure = failure_tangential
+         if (run%failure > 0) return
          if (run%has_contact .or. run%is_at_knot) then
-            ! At a knot a derivative of the motion jumps.
             call forget_steps(run)
             call note_step(run)
             run%has_contact = .false.
@@ -381,7 +390,7 @@ contains
          if (allocated(run%columns%interpolants)) call note_columns(run%columns, stepper)
          run%between = unknown
          run%work_time = stepper%start
-         run%work = works(run, stepper%start_y)
+         run%work = works(run%stepper%problem, stepper%start_y)
       end associate
    end subroutine note_step
 
@@ -407,13 +416,14 @@ contains
                   powers)
             else
                call trial_step(stepper, time - stepper%start, y, rates, tension)
-               work = works(run, y)
+               work = works(run%stepper%problem, y)
                run%stepped = run%stepped + 1
             end if
          else
             y = stepper%y
             tension = stepper%tension
-            work = works(run, y)
+            if (run%is_at_knot) call show_behind_knot(stepper, y, tension)
+            work = works(run%stepper%problem, y)
          end if
          position = problem%base + y(1:3)
          velocity = y(4:6)
@@ -464,16 +474,6 @@ contains
       end associate
       run%work_time = time
    end subroutine add_work
-
-   pure function works(run, y) result(work)
-      type(integration_type), intent(in) :: run
-      real(wp), intent(in) :: y(:)
-      real(wp) :: work(2)
-
-      work = 0
-      if (run%stepper%problem%drag_work > 0) work(1) = y(run%stepper%problem%drag_work)
-      if (run%stepper%problem%pivot_work > 0) work(2) = y(run%stepper%problem%pivot_work)
-   end function works
 
    subroutine append(run, event)
       type(integration_type), intent(inout) :: run

@@ -18,15 +18,15 @@ contains
    !> differentiable, without acceleration at its ends. Two points make a straight line. Fails on fewer and on times
    !> that do not ascend.
    !>
-   !> Of velocities or accelerations, from rest at 0 at time 0, straight lines through the points may be asked for
-   !> in the place of a spline.
+   !> Of velocities or accelerations the motion is from rest at 0 at time 0. Straight lines through the points may be
+   !> asked for in the place of a spline; of displacements, the velocity then jumps at every point (kyvadlo_knots).
    subroutine new_pivot_table(effects, times, displacements, error, order, is_linear)
       type(effects_type), intent(inout) :: effects
       real(wp), intent(in) :: times(:)             !! (n), strictly ascending [s]
       real(wp), intent(in) :: displacements(:, :)  !! (3, n), or their derivatives [m]
       type(error_type), allocatable, intent(out) :: error
       integer, intent(in), optional :: order       !! Of these derivatives, 0 to 2
-      logical, intent(in), optional :: is_linear   !! Straight lines; refused of displacements
+      logical, intent(in), optional :: is_linear   !! Straight lines
       real(wp), allocatable :: curvatures(:, :)
       type(curve_type) :: curve
       logical :: straight
@@ -37,12 +37,11 @@ contains
       if (present(order)) rates = order
       if (present(is_linear)) straight = is_linear
       call lay_spline('pivot table', times, displacements, 3, curvatures, error)
-      if (.not. allocated(error) .and. straight .and. rates == 0) call fail(error, code_domain, &
-         'pivot table: straight lines of displacements have no acceleration')
       if (allocated(error)) return
       if (straight) curvatures = 0
-      if (rates > 0) then
-         call cubic_pieces(times, displacements, curvatures, curve)
+      if (rates > 0 .or. straight) then
+         ! By their degree straight lines are known from what only looks like them.
+         call cubic_pieces(times, displacements, curvatures, merge(1, 3, straight), curve)
          do i = 1, rates
             curve = integrated(curve)
          end do
@@ -74,7 +73,7 @@ contains
          if (times(1) > 0) call fail(error, code_domain, 'hoist table: it must begin at time 0 or before')
       end if
       if (allocated(error)) return
-      call cubic_pieces(times, reshape(lengths, [1, n]), curvatures, curve)
+      call cubic_pieces(times, reshape(lengths, [1, n]), curvatures, 3, curve)
       least = least_value(curve, 1, times(1), times(n))
       if (.not. least > 0) then
          write (got, '(es12.4)') least
@@ -140,20 +139,22 @@ contains
    end subroutine lay_spline
 
    !> The pieces between knots from values and second derivatives there.
-   pure subroutine cubic_pieces(times, values, curvatures, curve)
+   pure subroutine cubic_pieces(times, values, curvatures, degree, curve)
       real(wp), intent(in) :: times(:), values(:, :), curvatures(:, :)
+      integer, intent(in) :: degree                !! 3, or 1 where all curvatures are zero
       type(curve_type), intent(out) :: curve
       real(wp) :: step
       integer :: k, n
 
       n = size(times)
       curve%times = times
-      allocate (curve%terms(size(values, 1), 0:3, n - 1))
+      allocate (curve%terms(size(values, 1), 0:degree, n - 1))
       do k = 1, n - 1
          step = times(k + 1) - times(k)
          curve%terms(:, 0, k) = values(:, k)
          curve%terms(:, 1, k) = (values(:, k + 1) - values(:, k))/step - step*(2*curvatures(:, k) &
             + curvatures(:, k + 1))/6
+         if (degree == 1) cycle
          curve%terms(:, 2, k) = curvatures(:, k)/2
          curve%terms(:, 3, k) = (curvatures(:, k + 1) - curvatures(:, k))/(6*step)
       end do

@@ -14,7 +14,6 @@ module kyvadlo_stepper
    use kyvadlo_force_changes, only: forces_change_type, move_changes
    use kyvadlo_forces, only: forces_type, move
    use kyvadlo_numbers, only: is_finite
-   use kyvadlo_pivot, only: next_knot
    use kyvadlo_suspension, only: put_on_surface, surface_change
    use kyvadlo_gsl, only: fgsl_odeiv2_system, fgsl_odeiv2_system_init, fgsl_odeiv2_system_free, fgsl_odeiv2_step, &
       fgsl_odeiv2_step_alloc, fgsl_odeiv2_step_apply, fgsl_odeiv2_step_free, fgsl_odeiv2_step_rk8pd, &
@@ -22,7 +21,7 @@ module kyvadlo_stepper
    implicit none
    private
    public :: stepper_type, problem_type, new_stepper, add_columns, free_stepper, take_step, trial_step, &
-      trial_with_columns, restart, hold_pieces, unknowns
+      trial_with_columns, restart, let_go, unknowns, works
 
    !> Place less `base`, velocity, and with them the work of drag and of the pivot per mass.
    integer, parameter :: unknowns = 8
@@ -179,19 +178,15 @@ contains
       stepper%start_tension = stepper%tension
    end subroutine restart
 
-   !> The pieces of tables hold from now to the next knot, whatever begins there. Now the acceleration may have jumped.
-   subroutine hold_pieces(stepper, knot)
-      type(stepper_type), intent(inout) :: stepper
-      real(wp), intent(out) :: knot             !! The next one; huge if there is none [s]
+   !> From here the bob flies, its place counted from here.
+   pure subroutine let_go(problem, place)
+      type(problem_type), intent(inout) :: problem
+      real(wp), intent(inout) :: place(3)
 
-      associate (forces => stepper%problem%forces)
-         knot = next_knot(forces%effects, stepper%time)
-         if (.not. abs(forces%until - knot) > 0) return
-         forces%until = knot
-         forces%pivot_time = -huge(knot)
-         if (stepper%time > 0 .and. allocated(forces%effects%pivot_curve%times)) call restart(stepper)
-      end associate
-   end subroutine hold_pieces
+      problem%is_taut = .false.
+      problem%base = place
+      place = 0
+   end subroutine let_go
 
    !> One step, not beyond `limit`. Fails where the steps become too short.
    subroutine take_step(stepper, limit, failed)
@@ -399,6 +394,17 @@ contains
       if (problem%is_taut .and. .not. problem%forces%is_elastic) &
          call put_on_surface(problem%forces%suspension, y(1:3), y(4:6))
    end subroutine put_back
+
+   !> Of drag and pivot, among the unknowns; zero where they are not asked for.
+   pure function works(problem, y) result(work)
+      type(problem_type), intent(in) :: problem
+      real(wp), intent(in) :: y(:)
+      real(wp) :: work(2)
+
+      work = 0
+      if (problem%drag_work > 0) work(1) = y(problem%drag_work)
+      if (problem%pivot_work > 0) work(2) = y(problem%pivot_work)
+   end function works
 
    subroutine find_rates(problem, time, y, rates)
       type(problem_type), intent(inout) :: problem

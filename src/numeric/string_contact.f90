@@ -16,8 +16,8 @@ module kyvadlo_string_contact
    use kyvadlo_pivot, only: pivot_rates
    use kyvadlo_saltation, only: is_tangential, jump_at_shock
    use kyvadlo_suspension, only: put_on_surface, stretch, surface_excess
-   use kyvadlo_stepper, only: problem_type, restart, stepper_type, trial_step, trial_with_columns, &
-      unknowns
+   use kyvadlo_stepper, only: let_go, problem_type, restart, stepper_type, trial_step, &
+      trial_with_columns, unknowns
    use kyvadlo_string, only: string_event_type, event_slack, event_taut, event_rebound, event_end_of_rattling
    implicit none
    private
@@ -395,15 +395,5 @@ contains
       end associate
       call restart(stepper)
    end subroutine jump_columns
-
-   !> From here the bob flies, its place counted from here.
-   pure subroutine let_go(problem, place)
-      type(problem_type), intent(inout) :: problem
-      real(wp), intent(inout) :: place(3)
-
-      problem%is_taut = .false.
-      problem%base = place
-      place = 0
-   end subroutine let_go
 
 end module kyvadlo_string_contact

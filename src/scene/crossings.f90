@@ -298,7 +298,7 @@ contains
          if (extremes(j)%column == 0) cycle
          associate (extreme => extremes(j), g => extremes(j)%sense*values(:, extremes(j)%column))
             do i = 1, size(times)
-               if (g(i) > extreme%value) then
+               if (is_beyond(g(i), extreme)) then
                   extreme%value = g(i)
                   extreme%time = times(i)
                end if
@@ -308,11 +308,19 @@ contains
                if (.not. (f(2) >= f(1) .and. f(2) >= f(3) .and. f(1) + f(3) < 2*f(2))) cycle
                ! No more than that above the parabola through them.
                top = f(2) + (f(1) - f(3))**2/(8*(2*f(2) - f(1) - f(3))) + (2*f(2) - f(1) - f(3))
-               if (top > extreme%value) call climb(probe, extreme, times(i - 1:i + 1), f)
+               if (is_beyond(top, extreme)) call climb(probe, extreme, times(i - 1:i + 1), f)
             end do
          end associate
       end do
    end subroutine find_extremes
+
+   !> More than by rounding: of equals the first counts.
+   pure logical function is_beyond(value, extreme)
+      real(wp), intent(in) :: value                        !! Times the sense
+      type(extreme_type), intent(in) :: extreme
+
+      is_beyond = value > extreme%value + 8*epsilon(value)*abs(extreme%value)
+   end function is_beyond
 
    !> To the top between three points: along parabolas, each through the best three so far.
    subroutine climb(probe, extreme, times, values)
@@ -353,7 +361,7 @@ contains
          end if
          if (t(3) - t(1) <= sqrt(epsilon(at))*(times(3) - times(1))) exit
       end do
-      if (.not. f(2) > extreme%value) return
+      if (.not. is_beyond(f(2), extreme)) return
       extreme%value = f(2)
       extreme%time = t(2)
    end subroutine climb

@@ -1,6 +1,7 @@
 !> The columns of `derivatives`: how the quantities asked for change with the settings asked for, from the matrix of the
 !> derivatives of position and velocity.
 module kyvadlo_derivative_samples
+   use kyvadlo_curves, only: rate_jump
    use kyvadlo_derivatives_real64, only: derivatives_type, new_derivatives_from_state
    use kyvadlo_force_changes, only: energy_change, forces_change_type, move_changes, new_forces_change
    use kyvadlo_forces, only: forces_type, move, new_forces
@@ -27,7 +28,7 @@ module kyvadlo_derivative_samples
    !> What the derivatives of a scene are computed from.
    type :: derivative_samples_type
       type(setting_change_type), allocatable :: changes(:)    !! (p); of no size: no derivatives are asked for
-      real(wp), allocatable :: matrices(:, :, :)              !! (6, p, block_samples) of position and velocity
+      real(wp), allocatable :: matrices(:, :, :)              !! (6, p, samples) of position and velocity
       type(forces_type), private :: forces
       type(forces_change_type), allocatable, private :: forces_changes(:)
       type(derivatives_type), private :: core                 !! Of the closed form, on a string of the present swing
@@ -52,13 +53,16 @@ contains
 
    !> The changes of a scene's numbers, and of its start. Errors: those of the closed form's derivatives; a taut string
    !> whose tension only touches zero.
-   subroutine begin_derivatives(derivatives, simulation, path, error)
+   subroutine begin_derivatives(derivatives, simulation, path, error, count)
       type(derivative_samples_type), intent(out) :: derivatives
       type(simulation_type), intent(in) :: simulation
       type(path_type), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
-      integer :: j
+      integer, intent(in), optional :: count                  !! Samples at a time (default: those of a block)
+      integer :: j, samples
 
+      samples = block_samples
+      if (present(count)) samples = count
       if (all(simulation%settings%quantities /= quantity_derivatives)) then
          allocate (derivatives%changes(0))
          return
@@ -68,7 +72,7 @@ contains
          derivatives%core, error)
       if (allocated(error)) return
       associate (p => size(derivatives%changes))
-         allocate (derivatives%matrices(6, p, block_samples), derivatives%forces_changes(p), derivatives%start(6, p))
+         allocate (derivatives%matrices(6, p, samples), derivatives%forces_changes(p), derivatives%start(6, p))
          call new_forces(derivatives%forces, path%effects, path%length, path%gravity, error)
          if (allocated(error)) return
          do j = 1, p
@@ -328,8 +332,10 @@ contains
          sample%tensions = 0
          ! In flight there is none.
          if (path%effects%is_string .and. .not. block%values(i, column(quantity_tension)) > 0) return
-         ! Where the acceleration of the pivot jumps, that before it, as the samples.
+         ! As the samples: that before a jump of the pivot's acceleration, that behind one of its velocity.
          derivatives%forces%until = sample%time
+         if (any(abs(rate_jump(path%effects%pivot_curve, sample%time)) > 0)) &
+            derivatives%forces%until = huge(sample%time)
          call move(derivatives%forces, .true., sample%time, sample%position, sample%velocity, acceleration, tension, &
             powers)
          call move_changes(derivatives%forces, derivatives%forces_changes, .true., sample%time, sample%position, &

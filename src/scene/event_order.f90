@@ -46,11 +46,12 @@ contains
    end subroutine merge_events
 
    !> Gives the samples to the sink, and each event before the samples that follow it.
-   subroutine hand_over(block, events, sink, goes_on)
+   subroutine hand_over(block, events, sink, goes_on, cells)
       type(block_type), intent(in) :: block
       type(scene_event_type), intent(in) :: events(:)
       class(sample_sink_type), intent(inout) :: sink
       logical, intent(inout) :: goes_on
+      character(len=*), intent(in) :: cells(:, :)            !! The samples as text; of no size: as the numbers are
       integer :: first, last, noted
 
       first = 1
@@ -66,7 +67,11 @@ contains
          if (first > block%count) exit
          last = block%count
          if (noted < size(events)) last = last_before(block%values(:block%count, 1), first, events(noted + 1)%time)
-         call sink%take(block%values(first:last, :block%visible), goes_on)
+         if (size(cells) > 0) then
+            call sink%take_written(block%values(first:last, :block%visible), cells(first:last, :), goes_on)
+         else
+            call sink%take(block%values(first:last, :block%visible), goes_on)
+         end if
          first = last + 1
       end do
    end subroutine hand_over
@@ -81,7 +86,12 @@ contains
       if (block%count > 0) then
          if (.not. block%values(block%count, 1) < event%time) return
       end if
-      call sink%take(reshape(event%values, [1, block%visible]), goes_on)
+      if (allocated(event%cells)) then
+         call sink%take_written(reshape(event%values, [1, block%visible]), reshape(event%cells, [1, block%visible]), &
+            goes_on)
+      else
+         call sink%take(reshape(event%values, [1, block%visible]), goes_on)
+      end if
    end subroutine take_last
 
    !> An event of the string in words, and where the samples show it.

@@ -168,11 +168,12 @@ contains
    end subroutine put_columns
 
    !> The columns at times within the last step, as samples show them, or each by a step of its own.
-   subroutine fill_within(integrated, path, block, exactly)
+   subroutine fill_within(integrated, path, block, exactly, matrices)
       type(integrated_type), intent(inout) :: integrated
       type(path_type), intent(in) :: path
       type(block_type), intent(inout) :: block
       logical, intent(in) :: exactly
+      real(wp), intent(inout), optional :: matrices(:, :, :)  !! (6, p, block%count) derivatives by the changes
       real(wp), dimension(3, block%count) :: positions, velocities
       real(wp), dimension(block%count) :: tensions, azimuths
       real(wp) :: work(2, block%count)
@@ -181,6 +182,7 @@ contains
       do i = 1, block%count
          call integrated%run%within(block%values(i, 1), exactly, positions(:, i), velocities(:, i), tensions(i), &
             work(:, i), azimuths(i))
+         if (present(matrices)) call integrated%run%columns_within(block%values(i, 1), matrices(:, :, i))
       end do
       call put_columns(path, block, positions, velocities, tensions, work(1, :), work(2, :), azimuths)
    end subroutine fill_within

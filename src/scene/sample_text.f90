@@ -3,7 +3,7 @@ module kyvadlo_sample_text
    use kyvadlo_decimal, only: longest_decimal, put_shortest
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: padded_shortest, shortest_text
-   use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
+   use kyvadlo_samples, only: column_type, longest_cell, sample_sink_type, scene_event_type
    use kyvadlo_text, only: text_sink_type, text_type
    use kyvadlo_threads, only: thread_count
    implicit none
@@ -159,11 +159,27 @@ contains
       else
          lost = ''
          if (event%request == 0) lost = ', energy lost = '//shortest_text(event%energy_lost)//' m2/s2'
-         call sink%lines%put('# '//trim(event%what)//': t = '//shortest_text(event%time)//' s, x = ' &
-            //shortest_text(event%position(1))//' m, y = '//shortest_text(event%position(2))//' m, z = ' &
-            //shortest_text(event%position(3))//' m'//lost)
+         call sink%lines%put('# '//trim(event%what)//': t = '//trim(event_text(event%cells, 1, event%time))// &
+            ' s, x = '//trim(event_text(event%position_cells, 1, event%position(1)))//' m, y = '// &
+            trim(event_text(event%position_cells, 2, event%position(2)))//' m, z = '// &
+            trim(event_text(event%position_cells, 3, event%position(3)))//' m'//lost)
       end if
    end subroutine note_csv
+
+   !> A number of an event: as text where that has more figures.
+   pure function event_text(cells, i, value) result(text)
+      character(len=*), intent(in), optional :: cells(:)     !! Not there: of the number
+      integer, intent(in) :: i
+      real(wp), intent(in) :: value
+      character(len=longest_cell) :: text
+
+      text = ''
+      if (present(cells)) then
+         text = cells(i)
+      else if (value == value) then
+         text = shortest_text(value)
+      end if
+   end function event_text
 
    !> A row of the sheet of events. One of the string has no quantities, one that was asked for loses no energy.
    subroutine put_event(sink, event)
@@ -172,14 +188,16 @@ contains
       character(len=:), allocatable :: row
       integer :: i
 
-      row = shortest_text(event%time)//','//trim(event%what)//','//shortest_text(event%position(1))//',' &
-         //shortest_text(event%position(2))//','//shortest_text(event%position(3))//','
+      row = trim(event_text(event%cells, 1, event%time))//','//trim(event%what)//','
+      do i = 1, 3
+         row = row//trim(event_text(event%position_cells, i, event%position(i)))//','
+      end do
       if (event%request == 0) row = row//shortest_text(event%energy_lost)
       do i = 1, size(sink%is_more)
          if (.not. sink%is_more(i)) cycle
          row = row//','
          if (event%request == 0) cycle
-         if (event%values(i) == event%values(i)) row = row//shortest_text(event%values(i))
+         row = row//trim(event_text(event%cells, i, event%values(i)))
       end do
       call sink%events%put(row)
    end subroutine put_event

@@ -3,7 +3,10 @@ module kyvadlo_samples
    use kyvadlo_kinds, only: wp => real64
    implicit none
    private
-   public :: sample_sink_type, column_type, scene_event_type
+   public :: sample_sink_type, column_type, scene_event_type, longest_cell
+
+   !> The longest number of 34 figures with its sign, point and exponent.
+   integer, parameter :: longest_cell = 44
 
    !> A column of numbers.
    type :: column_type
@@ -20,6 +23,8 @@ module kyvadlo_samples
       real(wp) :: position(3) = 0        !! [m]
       real(wp) :: energy_lost = 0        !! Per mass [m2/s2]
       real(wp), allocatable :: values(:) !! Of an &event: the columns of the samples there
+      !> These, and the position, with figures that no double holds; not allocated: there are none
+      character(len=longest_cell), allocatable :: cells(:), position_cells(:)
    end type scene_event_type
 
    type, abstract :: sample_sink_type

@@ -48,7 +48,8 @@ contains
          if (.not. allocated(error)) effects%pivot_times = rows(1, :)
 #endif
          call say_where(path, error)
-         if (.not. allocated(error) .and. simulation%settings%table_order == 0) call look_for_step(path, rows, note)
+         if (.not. allocated(error) .and. simulation%settings%table_order == 0 .and. &
+            .not. simulation%settings%table_is_linear) call look_for_step(path, rows, note)
       end if
       if (allocated(simulation%settings%hoist_table) .and. .not. allocated(error)) then
          path = path_of(simulation, simulation%settings%hoist_table)

@@ -5,7 +5,7 @@ module kyvadlo_scene_groups
       start_energy_above_bottom, start_release, start_state
    implicit none
    private
-   public :: group_names, has_closed_form, setting_type, settings, setting_place, start_type, starts, &
+   public :: group_names, group_meanings, has_closed_form, setting_type, settings, setting_place, start_type, starts, &
       old_names, new_names
    public :: rule_any, rule_positive, rule_not_negative, rule_fraction, rule_part, rule_latitude, rule_half_turn, &
       rule_count, rule_text, rule_truth, rule_direction, rules
@@ -27,6 +27,20 @@ module kyvadlo_scene_groups
    !> Whether the motion with a group has a closed form; without one it has where all coefficients are zero.
    logical, parameter :: has_closed_form(size(group_names)) = [.true., .true., .true., .true., .true., .true., &
       .false., .false., .false., .false., .false., .false., .true., .true., .true., .false., .true.]
+
+   !> What each is about, in a line of `kyvadlo help`.
+   character(len=72), parameter :: group_meanings(size(group_names)) = [character(len=72) :: &
+      'length, gravity and start of a pendulum', 'when and what is computed', &
+      'a rod, which pushes and pulls: the default', 'a string, which only pulls and may go slack', &
+      'a fluid that carries part of the weight and moves along', 'a turning observer', &
+      'drag of the air, by coefficients or of a sphere', 'a steady wind', &
+      'rotation of the Earth: Foucault''s pendulum', &
+      'a pivot that moves: swinging, by a table, to another place, on a circle', &
+      'a rod or string that stretches', 'a support that makes it longer in one direction than in the other', &
+      'what kyvadlo fit may change, and how well measurements are known', 'how a camera saw the measurements', &
+      'a quantity passes a value: when, and what then; any number of these', &
+      'a length that varies: a crane that lifts, a pumped swing', &
+      'a rigid body, or a ball on a wire, in the place of a mass point']
 
    !> What a value may be: `name must RULE`.
    integer, parameter :: rule_any = 1, rule_positive = 2, rule_not_negative = 3, rule_fraction = 4, rule_part = 5, &

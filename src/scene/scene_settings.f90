@@ -27,6 +27,7 @@ module kyvadlo_scene_settings
    type :: event_request_type
       integer :: quantity = 0, component = 1             !! Place in the table of quantities, and which of its columns
       real(wp) :: value = 0                              !! In the unit of the column
+      character(len=48) :: typed = ''                    !! As it stands there; blank: not, or longer
       integer :: direction = 0                           !! 1: where it rises, -1: where it falls, 0: both
       logical :: stops = .false.                         !! The simulation ends there
       integer :: line = 0

@@ -116,6 +116,9 @@ contains
             return
          end if
          event%value = value%number(1)
+         if (value%line(1) > 0) then
+            if (len(value%text(1)%text) <= len(event%typed)) event%typed = value%text(1)%text
+         end if
          event%names = [character(len=len(event%names)) :: word//' rises through ', word//' falls through ']
          do i = 1, 2
             if (value%line(1) > 0) then
@@ -214,10 +217,6 @@ contains
          if (.not. chosen%table_is_linear .and. lower_case(between%text(1)%text) /= 'spline') then
             call fail(error, code_input, place_of(chosen%file, between%line(1))// &
                '&moving_pivot: between must be spline or linear, got '//shown(between%text(1)%text))
-         else if (chosen%table_is_linear .and. chosen%table_order == 0) then
-            call fail(error, code_input, place_of(chosen%file, between%line(1))//'&moving_pivot: a pivot that '// &
-               'jumps from one velocity to the next has no acceleration; between=''linear'' is for velocities and '// &
-               'accelerations')
          end if
       end associate
    end subroutine take_kind_of_table

@@ -8,27 +8,26 @@ module kyvadlo_simulate
    use kyvadlo_event_order, only: hand_over, merge_events, take_last
    use kyvadlo_exact_samples, only: fill_closed_form, fill_constant, fill_string
 #ifdef KYVADLO_WITH_GSL
-   use kyvadlo_integrator, only: failure_events, failure_short_step, failure_steps, failure_tangential
+   use kyvadlo_integration_failure, only: explain_failure
    use kyvadlo_integrated_samples, only: begin_integration, end_integration, fill_integrated, fill_within, &
       integrated_type
 #endif
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: place_of
-   use kyvadlo_number_text, only: digits_text, shortest_text
    use kyvadlo_numbers, only: quiet_nan_real64
    use kyvadlo_quantities, only: quantity_derivatives, quantity_position, quantity_velocity
    use kyvadlo_sample_block
    use kyvadlo_sample_times, only: set_times
-   use kyvadlo_samples, only: sample_sink_type, scene_event_type
+   use kyvadlo_samples, only: longest_cell, sample_sink_type, scene_event_type
    use kyvadlo_scene_events, only: begin_search, event_search_type, forget_found, search_orbit, search_stretch, &
       search_string
-   use kyvadlo_scene_groups, only: air_group, event_group, output_group, string_group, turning_frame_group
+   use kyvadlo_scene_groups, only: event_group, output_group, turning_frame_group
    use kyvadlo_scene_derivatives, only: derivative_type
    use kyvadlo_simulation, only: simulation_type
    use kyvadlo_simulation_path
    use kyvadlo_status, only: code_input, error_type, fail
    use kyvadlo_swing_ellipse, only: apsides_type
-   use kyvadlo_wide_samples, only: fill_wide, is_wide, longest_cell
+   use kyvadlo_wide_samples, only: fill_wide, is_wide, sharpen_events
    implicit none
    private
    public :: simulate, states_with_derivatives
@@ -52,6 +51,7 @@ module kyvadlo_simulate
       type(simulation_type), pointer :: simulation => null()
       type(path_type), pointer :: path => null()
       type(block_type) :: block
+      type(derivative_samples_type) :: derivatives   !! Of events: later than those of the samples
    contains
       procedure :: at => probe_scene
       procedure :: settle => settle_probe
@@ -89,7 +89,7 @@ contains
       real(wp) :: last_time
       integer(int64) :: first
       integer :: noted
-      logical :: goes_on
+      logical :: goes_on, is_written
 
       if (present(check)) check = check_type()
       call new_block(simulation, is_one_orbit(path), block)
@@ -97,7 +97,8 @@ contains
       work%is_checked = present(check)
       call begin_work(work, simulation, path, block, error)
       if (.not. allocated(error)) call begin_watcher(watcher, work, simulation, path, block, error, extremes)
-      allocate (cells(merge(block_samples, 0, path%figures > 0), merge(block%visible, 0, path%figures > 0)))
+      is_written = is_wide(path) .and. path%figures > 0
+      allocate (cells(merge(block_samples, 0, is_written), merge(block%visible, 0, is_written)))
       noted = 0
       goes_on = .not. allocated(error)
       first = 0
@@ -106,25 +107,20 @@ contains
          block%count = int(min(int(block_samples, int64), simulation%settings%samples - first))
          call set_times(simulation%settings%samples, path%duration, path%duration_rest, path%duration_typed, &
             simulation%settings%sample_rate, first, block%values(:block%count, 1))
-         if (is_wide(path)) then
-            call fill_wide(simulation, path, block, cells)
-            if (path%figures > 0) then
-               call sink%take_written(block%values(:block%count, :block%visible), cells(:block%count, :), goes_on)
-            else
-               call sink%take(block%values(:block%count, :block%visible), goes_on)
-            end if
-            first = first + block%count
-            cycle
-         end if
          first = first + block%count
          associate (next_time => block%values(block%count, 1))
             if (allocated(watcher)) call search_exactly(watcher, path, last_time, block)
             last_time = next_time
          end associate
-         call fill_block(work, simulation, path, block, error, watcher)
+         if (is_wide(path)) then
+            call fill_wide(simulation, path, block, cells)
+         else
+            call fill_block(work, simulation, path, block, error, watcher)
+         end if
          if (allocated(error)) exit
          call gather_events(work, simulation, path, watcher, last_time, noted, events)
-         call hand_over(block, events, sink, goes_on)
+         if (is_written) call sharpen_events(simulation, path, block, events)
+         call hand_over(block, events, sink, goes_on, cells)
          if (.not. allocated(watcher)) cycle
          if (watcher%search%is_over) then
             if (goes_on) call take_last(block, events(size(events)), sink)
@@ -284,7 +280,7 @@ contains
       call fill_speed(block)
    end subroutine show_block
 
-   !> A watcher where there is something to watch. Error: the path is computed to an accuracy that doubles do not have.
+   !> A watcher where there is something to watch. Error: for so long that doubles do not know the phase.
    subroutine begin_watcher(watcher, work, simulation, path, block, error, extremes)
       type(event_watcher_type), allocatable, intent(out) :: watcher
       type(work_type), intent(in), target :: work
@@ -295,10 +291,9 @@ contains
       type(extreme_type), intent(in), optional :: extremes(:)
 
       if (size(simulation%settings%events) == 0 .and. .not. present(extremes)) return
-      if (is_wide(path)) then
-         if (size(simulation%settings%events) > 0) call fail(error, code_input, place_of(simulation%settings%file, &
-            simulation%settings%line(event_group))//'&event: events are found in double precision, and neither to '// &
-            'this accuracy nor for so long')
+      if (is_wide(path) .and. path%figures == 0 .and. size(simulation%settings%events) > 0) then
+         call fail(error, code_input, place_of(simulation%settings%file, simulation%settings%line(event_group))// &
+            '&event: over so long double precision cannot tell one swing from the next, nor find events')
          return
       end if
       allocate (watcher)
@@ -311,6 +306,9 @@ contains
          probe%block%values = quiet_nan_real64
          probe%columns = size(block%values, 2)
          probe%is_approximate = path%path == path_integrated
+         if (block%column(quantity_derivatives) > 0) call begin_derivatives(probe%derivatives, simulation, path, &
+            error, count=1)
+         if (allocated(error)) return
          call probe%settle(0.0_wp)
       end associate
       call begin_search(watcher%search, simulation, path, block%column, block%visible)
@@ -342,13 +340,17 @@ contains
       call fill_probe(probe, [time], .false.)
    end subroutine settle_probe
 
-   !> All columns but derivatives.
+   !> All columns; derivatives of one time, asked for exactly.
    subroutine fill_probe(probe, times, exactly)
       class(scene_probe_type), intent(inout) :: probe
       real(wp), intent(in) :: times(:)
       logical, intent(in) :: exactly
+      type(error_type), allocatable :: error
+      logical :: has_derivatives
 
+      has_derivatives = exactly .and. size(times) == 1 .and. probe%block%column(quantity_derivatives) > 0
       probe%block%count = size(times)
+      if (probe%block%column(quantity_derivatives) > 0) probe%block%values(:size(times), :) = quiet_nan_real64
       probe%block%values(:size(times), 1) = times
       select case (probe%path%path)
       case (path_constant)
@@ -359,12 +361,20 @@ contains
          call fill_string(probe%path, probe%block)
 #ifdef KYVADLO_WITH_GSL
       case (path_integrated)
-         call fill_within(probe%work%integrated, probe%path, probe%block, exactly)
-#else
-      case default
-         if (exactly) continue  ! Exact they are
+         if (has_derivatives) then
+            call fill_within(probe%work%integrated, probe%path, probe%block, exactly, probe%derivatives%matrices)
+         else
+            call fill_within(probe%work%integrated, probe%path, probe%block, exactly)
+         end if
 #endif
       end select
+      if (has_derivatives) then
+         if (probe%path%path /= path_integrated) call find_matrices(probe%derivatives, probe%simulation, probe%path, &
+            probe%block, error)
+         ! Behind an event met tangentially there are none, and the samples end with that error.
+         if (allocated(error)) probe%derivatives%matrices = quiet_nan_real64
+         call fill_derivatives(probe%derivatives, probe%simulation, probe%path, probe%block)
+      end if
       call show_block(probe%simulation, probe%path, probe%block)
    end subroutine fill_probe
 
@@ -446,42 +456,9 @@ contains
       type(error_type), allocatable, intent(inout) :: error
 
       if (path%path /= path_integrated) return
-      if (allocated(error)) call explain_failure(simulation, path, work%integrated, error)
+      if (allocated(error)) call explain_failure(simulation, path, work%integrated%run, error)
       call end_integration(work%integrated)
    end subroutine end_work
-
-   !> What of the scene made an integration fail.
-   subroutine explain_failure(simulation, path, integrated, error)
-      type(simulation_type), intent(in) :: simulation
-      type(path_type), intent(in) :: path
-      type(integrated_type), intent(in) :: integrated
-      type(error_type), allocatable, intent(inout) :: error
-
-      associate (settings => simulation%settings, run => integrated%run)
-         select case (run%failure)
-         case (failure_short_step)
-            if (index(error%message, 'Reynolds') > 0) then
-               error%message = place_of(settings%file, settings%line(air_group))//'&air: drag=''sphere'' ends at '// &
-                  'the Reynolds number 2e5, which the bob passes at t = '//trim(digits_text(run%time, 6))//' s'
-               return
-            end if
-            error%message = path%hardest//'no step is short enough at t = '//shortest_text(run%time) &
-               //' s; the motion is singular there, or too fast for the accuracy (option --accuracy)'
-         case (failure_steps)
-            error%message = path%hardest//'the integration got to t = '//shortest_text(run%time)//' s in ' &
-               //trim(digits_text(path%most_steps, 2))//' steps (option --most-steps); shorten &output duration'
-         case (failure_tangential)
-            error%message = place_of(settings%file, settings%line(output_group))// &
-               '&output: there are no derivatives after t = '//shortest_text(run%time)// &
-               ' s, where the string goes slack or taut tangentially'
-         case (failure_events)
-            error%message = place_of(settings%file, settings%line(string_group)) &
-               //'&string: too many events, by t = '//shortest_text(run%time)//' s; shorten &output duration'
-         case default
-            error%message = settings%file//': '//error%message
-         end select
-      end associate
-   end subroutine explain_failure
 #endif
 
 end module kyvadlo_simulate

@@ -365,6 +365,7 @@ contains
       logical, intent(in) :: is_asked                        !! By the user; else because of the duration
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
+      integer, allocatable :: asked(:)
 
       if (accuracy < accuracy_finest_quad) then
          call fail(error, code_input, 'option --accuracy must be at least '// &
@@ -394,9 +395,11 @@ contains
       path%method = path%method//' ('//trim(path%plan%choice_text())//')'
       ! Two figures more than the accuracy has, so that rounding adds a hundredth of it.
       if (accuracy < finest_of_doubles) path%figures = min(2 + ceiling(-log10(accuracy)), most_figures)
-      if (path%figures > 0 .and. any(simulation%settings%quantities >= quantity_major .or. path%mass > 0 .and. &
-         simulation%settings%quantities == quantity_tension)) call fail(error, code_input, 'option --accuracy '// &
-         'below 1e-16: major, minor, plane, handedness and forces in newtons are computed in double precision')
+      asked = simulation%settings%quantities
+      if (allocated(simulation%settings%events)) asked = [asked, simulation%settings%events%quantity]
+      if (path%figures > 0 .and. any(asked >= quantity_major .or. path%mass > 0 .and. asked == quantity_tension)) &
+         call fail(error, code_input, 'option --accuracy below 1e-16: major, minor, plane, handedness and forces '// &
+         'in newtons are computed in double precision')
       ! Figures beyond those of doubles are figures of the decimals that were written, not of the doubles next to them.
       if (allocated(error) .or. path%figures == 0 .or. .not. path%plan%is_beyond_double()) return
       if (.not. allocated(path%plan%wide)) allocate (path%plan%wide)

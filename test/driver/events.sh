@@ -52,8 +52,25 @@ refuses "&event quantity='z' stop=1 /" '&event: stop must be .true. or .false., 
 refuses "&event quantity='z' values=1 /" '&event: unknown name values; known are quantity, value, direction, stop'
 refuses "&event quantity='z' value=1 value=2 /" '&event: value given twice, first on line 2'
 if has_quad; then
-   sed 's/plane //' swing.nml >fine.nml
-   fails 2 'fine.nml:2: &event: events are found in double precision' simulate fine.nml --accuracy 1e-20
+   # To more digits than doubles have: mpmath's K/sqrt(g) and (K + F(asin(2 sqrt(0.2))))/sqrt(g), m = 1/4, with 50 digits.
+   printf '%s\n' '&pendulum length=1 release_angle=60 /' "&event quantity='x' /" \
+      "&event quantity='z' value=-0.6 direction=1 stop=T /" "&output duration=3 samples=4 quantities='speed' /" >fine.nml
+   run simulate fine.nml --accuracy 1e-25 --events fine.csv
+   expect_status 0
+   expect_out 't,speed
+0e+00,0
+0.907558755296781028177199136,1.40047491944697103168907836'
+   checks=$((checks + 1))
+   [ "$(cat fine.csv)" = 't,event,x,y,z,energy_lost,speed
+0.538310587945960681847506879,x falls through 0,0,0,-1.00000000000000000000000000,,3.13155712066696940842566394
+0.907558755296781028177199136,z rises through -0.6,-0.800000000000000000000000000,0,-0.600000000000000000000000000,,1.40047491944697103168907836' ] ||
+      complain 'events with all their digits'
+   run simulate fine.nml --accuracy 1e-25
+   expect_in_out '# x falls through 0: t = 0.538310587945960681847506879 s, x = 0 m, y = 0 m, z = -1.00'
+   sed 's/plane //' swing.nml | sed "s/'Z'/'plane'/" >fine.nml
+   fails 2 'option --accuracy below 1e-16: major, minor, plane' simulate fine.nml --accuracy 1e-20
+   sed "s/duration=10/duration=1e17/; s/plane //" swing.nml >fine.nml
+   fails 2 'fine.nml:2: &event: over so long double precision cannot tell one swing from the next' simulate fine.nml
 fi
 
 finish

@@ -251,6 +251,13 @@ if [ $with_gsl = yes ]; then
    checks=$((checks + 1))
    cut -d , -f 2 out | paste -d , x - | awk -F, 'NR > 1 { d = $1 - $2 - (NR - 2)*0.5; if (!(d*d < 1e-28)) exit 1 }' ||
       complain 'the frames must differ by the displacement'
+   # Along straight lines: at rest, then a jerk aside. A bob that hangs is left behind at first.
+   printf '0 0 0 0\n1 0 0 0\n3 4 0 0\n' >pivot.txt
+   sed "s/pivot.txt./& between='linear'/" pivot.nml >lines.nml
+   run simulate lines.nml
+   expect_status 0
+   checks=$((checks + 1))
+   sed -n 3p out | awk -F, '{ exit !($1 == 1 && $2^2 < 1e-30 && $5^2 < 1e-30) }' || complain 'still hanging at rest'
    printf '0 0 0 0\n1 0.5 0\n' >pivot.txt
    fails 2 'pivot.txt:2: a line of the table has 4 numbers, t x y z, got 1 0.5 0' simulate pivot.nml
    printf '0 0 0 0\n1 0.5 0 a\n' >pivot.txt

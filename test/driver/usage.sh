@@ -78,6 +78,16 @@ while read -r name; do
    checks=$((checks + 1))
    grep -q "^  $name\b" topics || complain "kyvadlo help must explain $name"
 done <names
+# A newcomer sees every group with a line of its own.
+run simulate --list
+sed -n 's/^| name of `&\([a-z_]*\)`.*/\1/p' out | grep -v -e pendulum >groups
+run help scenes
+while read -r name; do
+   checks=$((checks + 1))
+   grep -q "^  &$name  *[a-z]" out || complain "kyvadlo help scenes must list &$name"
+done <groups
+checks=$((checks + 1))
+[ "$(wc -l <groups)" -ge 14 ] || complain 'groups expected'
 run help
 expect_in_out 'effects   what else may act'
 run help eval
