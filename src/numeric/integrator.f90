@@ -325,15 +325,15 @@ contains
       real(wp) :: limit, knot
       logical :: is_far, failed, has_event
 
-      associate (stepper => run%stepper)
+      associate (stepper => run%stepper, contact => run%contact)
          if (run%has_contact) then
-            call make_contact(stepper, run%contact, event)
+            call make_contact(stepper, contact, event)
             call append(run, event)
          end if
-         call pass_knot(stepper, run%contact, knot, event, has_event)
+         call pass_knot(stepper, contact%closeness, contact%is_tangential, contact%left_with, knot, event, has_event)
          if (has_event) call append(run, event)
          if (run%event_count > most_events) run%failure = failure_events
-         if (run%contact%is_tangential) run%failure = failure_tangential
+         if (contact%is_tangential) run%failure = failure_tangential
          if (run%failure > 0) return
          if (run%has_contact .or. run%is_at_knot) then
             call forget_steps(run)
@@ -347,7 +347,7 @@ contains
          if (failed) run%failure = failure_short_step
          if (real(run%steps, wp) + stepper%rejected >= run%most_steps) run%failure = failure_steps
          if (run%failure > 0) return
-         if (stepper%problem%forces%effects%is_string) call find_contact(stepper, run%contact, run%has_contact)
+         if (stepper%problem%forces%effects%is_string) call find_contact(stepper, contact, run%has_contact)
          run%is_at_knot = stepper%time >= knot
          if (run%with_azimuth) call turn_azimuth(run)
          run%steps = run%steps + 1

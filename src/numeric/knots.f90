@@ -9,7 +9,6 @@ module kyvadlo_knots
    use kyvadlo_saltation, only: is_tangential
    use kyvadlo_stepper, only: let_go, problem_type, restart, stepper_type, unknowns
    use kyvadlo_string, only: event_slack, string_event_type
-   use kyvadlo_string_contact, only: contact_type
    use kyvadlo_suspension, only: put_on_surface, stretch, surface_change
    implicit none
    private
@@ -19,9 +18,11 @@ contains
 
    !> The pieces of tables hold from now to the next knot, whatever begins there; now the acceleration, and the velocity
    !> of the pivot, may have jumped.
-   subroutine pass_knot(stepper, contact, knot, event, has_event)
+   subroutine pass_knot(stepper, closeness, ends_derivatives, left_with, knot, event, has_event)
       type(stepper_type), intent(inout) :: stepper
-      type(contact_type), intent(inout) :: contact
+      real(wp), intent(in) :: closeness             !! Relative error of a margin
+      logical, intent(inout) :: ends_derivatives    !! Behind here there are no derivatives
+      real(wp), intent(inout) :: left_with          !! Radial speed at the start of the last flight [m/s]
       real(wp), intent(out) :: knot                 !! The next one; huge if there is none [s]
       type(string_event_type), intent(out) :: event
       logical, intent(out) :: has_event             !! A string goes slack
@@ -38,13 +39,13 @@ contains
          if (.not. (stepper%time > 0 .and. allocated(forces%effects%pivot_curve%times))) return
          jump = rate_jump(forces%effects%pivot_curve, stepper%time)
          if (allocated(stepper%sizes)) then
-            call look_for_tangency(stepper, jump, contact)
+            if (is_across(stepper, jump, closeness)) ends_derivatives = .true.
             call show_columns_behind_knot(problem, stepper%time, stepper%y, stepper%columns)
          end if
          is_taut = problem%is_taut
          call take_shock(problem, stepper%time, jump, stepper%y, is_taut, closing)
          if (problem%is_taut .and. .not. is_taut) then
-            contact%left_with = closing
+            left_with = closing
             call leave()
          else
             call restart(stepper)
@@ -97,23 +98,23 @@ contains
       end associate
    end subroutine take_shock
 
-   !> Where a motion next to this one would go slack and this one does not, or the other way round, there are no
-   !> derivatives.
-   subroutine look_for_tangency(stepper, jump, contact)
+   !> Whether the jump of the pivot's velocity is one across a taut string: motions next to this one go slack, or do not
+   !> where this one does.
+   pure logical function is_across(stepper, jump, closeness)
       type(stepper_type), intent(in) :: stepper
-      real(wp), intent(in) :: jump(3)
-      type(contact_type), intent(inout) :: contact
+      real(wp), intent(in) :: jump(3)               !! [m/s]
+      real(wp), intent(in) :: closeness
       real(wp) :: distance, outward(3), bending, scale
 
       associate (problem => stepper%problem, forces => stepper%problem%forces)
-         if (.not. (forces%effects%is_string .and. problem%is_taut .and. .not. forces%is_elastic .and. &
-            any(abs(jump) > 0))) return
+         is_across = forces%effects%is_string .and. problem%is_taut .and. .not. forces%is_elastic .and. &
+            any(abs(jump) > 0)
+         if (.not. is_across) return
          call stretch(forces%suspension, stepper%y(1:3), stepper%y(4:6), distance, outward, bending)
          scale = norm2(stepper%rates(4:6)) + forces%weight + dot_product(stepper%y(4:6), stepper%y(4:6))/distance
-         if (is_tangential(dot_product(outward, jump), scale, distance, contact%closeness)) &
-            contact%is_tangential = .true.
+         is_across = is_tangential(dot_product(outward, jump), scale, distance, closeness)
       end associate
-   end subroutine look_for_tangency
+   end function is_across
 
    !> A sample at the knot where the last step ended shows what begins there: velocity, tension and work.
    subroutine show_behind_knot(stepper, y, tension)
