@@ -163,7 +163,8 @@ contains
          case (constants_many)
             call orbits_constants_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, bench%constants, level)
          case default
-            call orbits_locate_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, 3.7_real64, bench%position)
+            call orbits_locate_from_gaps(1.0_real64, 9.81_real64, bench%top, bench%bottom, 3.7_real64, bench%position, &
+               highest_level=level)
          end select
       end associate
    end subroutine run_arrays

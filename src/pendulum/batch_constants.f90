@@ -46,6 +46,8 @@ module kyvadlo_batch_constants
       constant_quarter_period = 4, constant_nome = 5, constant_azimuth_rate = 6, constant_azimuth_per_period = 7, &
       constant_advance = 8, constant_outer_excess = 9, constant_outer_gap = 10, constant_columns = 10, &
       printed_constants = 8
+   !> Their places: x, y, z, vx, vy, vz; positive where the kernel applies.
+   integer, parameter :: place_kept = 7, place_columns = 7
    !> Polynomials in u = cos 2v, by row the power, of cos 2nv; sin 2nv/sin 2v; cos (2n+1)v/cos v; sin (2n+1)v/sin v.
    real(real64), parameter :: even_cosines(0:3, 0:3) = reshape([real(real64) :: &
       1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 2, 0, 0, -3, 0, 4], [4, 4])

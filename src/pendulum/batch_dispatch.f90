@@ -6,7 +6,8 @@ module kyvadlo_batch_dispatch
    use kyvadlo_batch_kernel_baseline, only: place_baseline => place_group, rates_baseline => place_group_rates, &
       azimuths_baseline => azimuth_group, &
       beyond_baseline => any_beyond, periods_baseline => period_group, advances_baseline => advance_group, &
-      gaps_baseline => gaps_group, constants_baseline => constants_group
+      gaps_baseline => gaps_group, constants_baseline => constants_group, &
+      many_baseline => many_group, many_rates_baseline => many_group_rates
    use kyvadlo_batch_kernel_baseline_single, only: place_baseline_single => place_group, &
       rates_baseline_single => place_group_rates
    use kyvadlo_batch_kernel_baseline_short, only: place_baseline_short => place_group, &
@@ -14,7 +15,8 @@ module kyvadlo_batch_dispatch
    use kyvadlo_batch_kernel_v3, only: place_v3 => place_group, rates_v3 => place_group_rates, &
       azimuths_v3 => azimuth_group, &
       beyond_v3 => any_beyond, periods_v3 => period_group, advances_v3 => advance_group, &
-      gaps_v3 => gaps_group, constants_v3 => constants_group
+      gaps_v3 => gaps_group, constants_v3 => constants_group, &
+      many_v3 => many_group, many_rates_v3 => many_group_rates
    use kyvadlo_batch_kernel_v3_single, only: place_v3_single => place_group, &
       rates_v3_single => place_group_rates
    use kyvadlo_batch_kernel_v3_short, only: place_v3_short => place_group, &
@@ -22,7 +24,8 @@ module kyvadlo_batch_dispatch
    use kyvadlo_batch_kernel_v4, only: place_v4 => place_group, rates_v4 => place_group_rates, &
       azimuths_v4 => azimuth_group, &
       beyond_v4 => any_beyond, periods_v4 => period_group, advances_v4 => advance_group, &
-      gaps_v4 => gaps_group, constants_v4 => constants_group
+      gaps_v4 => gaps_group, constants_v4 => constants_group, &
+      many_v4 => many_group, many_rates_v4 => many_group_rates
    use kyvadlo_batch_kernel_v4_single, only: place_v4_single => place_group, &
       rates_v4_single => place_group_rates
    use kyvadlo_batch_kernel_v4_short, only: place_v4_short => place_group, &
@@ -30,7 +33,7 @@ module kyvadlo_batch_dispatch
    implicit none
    private
    public :: vector_level, place_groups, place_groups_rates, azimuth_groups, period_groups, constants_groups, &
-      any_time_beyond
+      many_groups, any_time_beyond
 
    !> Levels of the processor: 0 baseline, 1 x86-64-v3, 2 x86-64-v4.
    integer, parameter :: levels = 3
@@ -172,6 +175,30 @@ contains
          call constants_baseline(groups, length, gravity, gaps, constants)
       end select
    end subroutine constants_groups
+
+   !> Positions, and velocities if wanted, of many orbits at one time.
+   pure subroutine many_groups(level, groups, time, length, gaps, constants, with_velocity, placed)
+      integer, intent(in) :: level, groups
+      real(real64), intent(in) :: time, length(group_size*groups)
+      real(real64), intent(in) :: gaps(block_size, gap_columns), constants(block_size, constant_columns)
+      logical, intent(in) :: with_velocity
+      real(real64), intent(inout) :: placed(block_size, place_columns)
+
+      select case (level + merge(levels, 0, with_velocity))
+      case (1)
+         call many_v3(groups, time, length, gaps, constants, placed)
+      case (2)
+         call many_v4(groups, time, length, gaps, constants, placed)
+      case (3)
+         call many_rates_baseline(groups, time, length, gaps, constants, placed)
+      case (4)
+         call many_rates_v3(groups, time, length, gaps, constants, placed)
+      case (5)
+         call many_rates_v4(groups, time, length, gaps, constants, placed)
+      case default
+         call many_baseline(groups, time, length, gaps, constants, placed)
+      end select
+   end subroutine many_groups
 
    !> Whether a time is NaN or beyond what the kernels reduce.
    pure logical function any_time_beyond(level, n, time, limit)

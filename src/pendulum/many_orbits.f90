@@ -3,7 +3,7 @@
 module kyvadlo_many_orbits
    use, intrinsic :: iso_fortran_env, only: real64
    use kyvadlo_batch_constants
-   use kyvadlo_batch_dispatch, only: any_time_beyond, constants_groups, vector_level
+   use kyvadlo_batch_dispatch, only: any_time_beyond, constants_groups, many_groups, vector_level
    use kyvadlo_numbers_real64, only: is_finite, quiet_nan
    use kyvadlo_orbit, only: orbit_type
    use kyvadlo_start, only: new_orbit, new_rough_orbit
@@ -103,9 +103,7 @@ contains
       type(error_type), allocatable :: error
 
       constants = quiet_nan
-      ! The message of the set-up takes many times as long as an orbit.
-      if (.not. (is_finite(upper_gap) .and. is_finite(lower_rise))) return
-      if (.not. (lower_rise >= 0 .and. lower_rise < upper_gap)) return
+      if (.not. are_gaps(upper_gap, lower_rise)) return
       call new_orbit(orbit, start_gaps, length, gravity, [upper_gap], [lower_rise], error)
       if (.not. allocated(error)) constants = constants_of_orbit(orbit)
    end subroutine set_up_constants
@@ -169,47 +167,80 @@ contains
    end subroutine constants_of_block
 
    !> Positions, and velocities if wanted, of many orbits with the gaps l - z1 and l + z2 at one time, counted from the
-   !> upper turning height at azimuth 0: for orbits that are evaluated once, in half the time of a set-up with `locate`.
+   !> upper turning height at azimuth 0: for orbits that are evaluated once, by vector kernels; next to the upright
+   !> (k'**2 < 1/64) by a set-up.
    !> NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; arrays of different sizes give NaN.
-   !> Error 3 eps (l + |t| v) and 3 eps (v + |t| (g + v**2/l)) at worst, v the greatest speed: the period has the digits
-   !> of the kind only (test/unit/test_many_orbits.pf).
-   subroutine orbits_locate_from_gaps(length, gravity, upper_gap, lower_rise, time, position, velocity, threads)
+   !> Error 6 eps l + 3 eps |t| v and 6 eps v + 3 eps |t| (g + v**2/l) at worst, v the greatest speed: the period has the
+   !> digits of the kind only (test/unit/test_many_orbits.pf).
+   subroutine orbits_locate_from_gaps(length, gravity, upper_gap, lower_rise, time, position, velocity, threads, &
+         highest_level)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
       real(real64), intent(in), dimension(:) :: upper_gap, lower_rise     !! l - z1, l + z2 [m] (n)
       real(real64), intent(in) :: time                                  !! [s]
       real(real64), intent(out), dimension(:, :) :: position            !! [m] (3, n)
       real(real64), intent(out), dimension(:, :), optional :: velocity  !! [m/s] (3, n)
       integer, intent(in), optional :: threads        !! Sharing a long array: 1 if absent; 0 as many as OpenMP offers
-      integer :: block, blocks, orbits, sharing
+      integer, intent(in), optional :: highest_level  !! 0 baseline, 1 x86-64-v3, 2 x86-64-v4; the processor's if absent
+      integer :: block, blocks, orbits, level, sharing
       logical :: fit
 
       orbits = size(upper_gap)
-      fit = size(lower_rise) == orbits .and. all(shape(position) == [3, orbits])
+      fit = size(lower_rise) == orbits .and. all(shape(position) == [3, orbits]) .and. is_finite(time)
       if (present(velocity)) fit = fit .and. all(shape(velocity) == [3, orbits])
       if (.not. fit) then
          position = quiet_nan
          if (present(velocity)) velocity = quiet_nan
          return
       end if
+      level = vector_level(highest_level)
       include 'block_loop.inc'
 
    contains
 
       subroutine fill_block(start, last)
          integer, intent(in) :: start, last
-         type(orbit_type) :: orbit
-         type(error_type), allocatable :: error
-         integer :: i
+         real(real64) :: gaps(block_size, gap_columns), constants(block_size, constant_columns)
+         real(real64) :: placed(block_size, place_columns), lengths(block_size), at_once(3)
+         integer :: i, n
 
+         n = last - start + 1
+         lengths = length
+         call constants_of_block(level, start_gaps, lengths(:n), spread(gravity, 1, n), upper_gap(start:last), &
+            lower_rise(start:last), .true., gaps, constants)
+         call many_groups(level, (n + group_size - 1)/group_size, time, lengths, gaps, constants, present(velocity), &
+            placed)
          do i = start, last
-            call new_rough_orbit(orbit, start_gaps, length, gravity, upper_gap(i:i), lower_rise(i:i), error)
-            ! Of no orbit the position is NaN.
-            if (present(velocity)) then
-               call orbit%locate(time, position(:, i), velocity(:, i))
+            if (placed(i - start + 1, place_kept) > 0) then
+               position(:, i) = placed(i - start + 1, 1:3)
+               if (present(velocity)) velocity(:, i) = placed(i - start + 1, 4:6)
+            else if (present(velocity)) then
+               call set_up_place(length, gravity, upper_gap(i), lower_rise(i), time, position(:, i), velocity(:, i))
             else
-               call orbit%locate(time, position(:, i))
+               call set_up_place(length, gravity, upper_gap(i), lower_rise(i), time, position(:, i), at_once)
             end if
          end do
       end subroutine fill_block
    end subroutine orbits_locate_from_gaps
+
+   !> By a set-up; NaN where that refuses.
+   subroutine set_up_place(length, gravity, upper_gap, lower_rise, time, position, velocity)
+      real(real64), intent(in) :: length, gravity, upper_gap, lower_rise, time
+      real(real64), intent(out) :: position(3), velocity(3)
+      type(orbit_type) :: orbit
+      type(error_type), allocatable :: error
+
+      position = quiet_nan
+      velocity = quiet_nan
+      if (.not. are_gaps(upper_gap, lower_rise)) return
+      call new_rough_orbit(orbit, start_gaps, length, gravity, [upper_gap], [lower_rise], error)
+      if (.not. allocated(error)) call orbit%locate(time, position, velocity)
+   end subroutine set_up_place
+
+   !> Whether to try a set-up: its message takes many times as long as an orbit.
+   elemental logical function are_gaps(upper_gap, lower_rise)
+      real(real64), intent(in) :: upper_gap, lower_rise
+
+      are_gaps = is_finite(upper_gap) .and. is_finite(lower_rise)
+      if (are_gaps) are_gaps = lower_rise >= 0 .and. lower_rise < upper_gap
+   end function are_gaps
 end module kyvadlo_many_orbits
