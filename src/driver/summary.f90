@@ -40,8 +40,9 @@ module kyvadlo_summary
       type(extreme_type), allocatable :: extremes(:)   !! For `simulate`: the largest and least of three columns
       integer, private :: top = 0                      !! Number of the event of a highest point
       integer, private :: columns(9) = 0               !! x vx major minor plane handedness energy drag_work pivot_work
-      integer, private :: tops = 0, samples = 0, flights = 0
-      real(wp), private :: times(2) = 0, planes(2) = 0, radii(2) = 0 !! Of the first and the last highest point
+      integer, private :: swings = 0, tops = 0, samples = 0, flights = 0
+      real(wp), private :: swing_times(2) = 0          !! Of the first and the last highest point, in flight too
+      real(wp), private :: times(2) = 0, planes(2) = 0, radii(2) = 0 !! ... of a swing
       real(wp), private :: area_sum = 0, support_sum = 0
       real(wp), private :: first(3) = 0, last(3) = 0, ends(2) = 0 !! The last columns of the first and the last sample
       real(wp), private :: slack_since = -1, slack_time = 0, lost = 0
@@ -148,6 +149,11 @@ contains
 
       associate (major => values(sink%columns(3)), minor => values(sink%columns(4)), plane => values(sink%columns(5)), &
          hand => values(sink%columns(6)))
+         if (is_finite(plane) .or. sink%slack_since >= 0) then
+            sink%swings = sink%swings + 1
+            if (sink%swings == 1) sink%swing_times = time
+            sink%swing_times(2) = time
+         end if
          if (.not. is_finite(plane)) return
          sink%tops = sink%tops + 1
          if (sink%tops == 1) then
@@ -218,7 +224,8 @@ contains
          call sink%put('path:       '//path%method)
          call sink%put('time:       '//number(summary%ends(2))//' s, '//integer_text(summary%samples)//' samples')
          if (period == period) then
-            call sink%put('period:     '//number(period)//' s to and fro'//counted())
+            call sink%put('period:     '//number(period)//trim(merge(' s, a revolution', ' s to and fro   ', &
+               revolves()))//counted())
          else
             call sink%put('period:     none found: fewer than two highest points')
          end if
@@ -286,10 +293,15 @@ contains
          turns = 0
          if (path%path == path_closed_form .and. any(path%orbit%motion == [motion_generic, motion_plane_libration, &
             motion_plane_rotation])) turns = (summary%ends(2) + value(path%orbit%start_phase))/path%orbit%period()
-         tops_text = integer_text(summary%tops)
+         tops_text = integer_text(summary%swings)
          if (turns >= huge(0)) tops_text = 'null'
          if (turns > 0 .and. turns < huge(0)) tops_text = integer_text(floor(turns))
       end function tops_text
+
+      logical function revolves()
+         revolves = path%path == path_closed_form .and. any(path%orbit%motion == [motion_conical, &
+            motion_plane_rotation])
+      end function revolves
 
       !> What the works do not account for.
       real(wp) function unexplained()
@@ -300,7 +312,7 @@ contains
          character(len=:), allocatable :: counted
 
          counted = ''
-         if (path%path /= path_closed_form) counted = ', mean of '//integer_text(summary%tops - 1)//' half swings'
+         if (path%path /= path_closed_form) counted = ', mean of '//integer_text(summary%swings - 1)//' half swings'
       end function counted
    end subroutine write_summary
 
@@ -326,8 +338,10 @@ contains
          case (motion_plane_rotation)
             period = path%orbit%period()
          end select
-      else if (summary%tops > 1) then
-         period = 2*(summary%times(2) - summary%times(1))/(summary%tops - 1)
+         return
+      end if
+      if (summary%swings > 1) period = 2*(summary%swing_times(2) - summary%swing_times(1))/(summary%swings - 1)
+      if (summary%tops > 1) then
          precession = (summary%planes(2) - summary%planes(1))/(summary%times(2) - summary%times(1))
          parts(area) = summary%area_sum/summary%tops
          parts(earth) = 0 - path%effects%turn_rate(3)

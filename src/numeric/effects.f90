@@ -141,8 +141,8 @@ contains
       quadratic_drag = coefficient*density*pi*diameter**2/(8*mass)
    end subroutine air_coefficients
 
-   !> Of a sphere by the curve of P. P. Brown and D. F. Lawler (J. Environ. Eng. 129 (2003) 222), smooth, to the
-   !> Reynolds number 2e5.
+   !> Of a smooth sphere, with the drag coefficient 24/Re (1 + 0.150 Re**0.681) + 0.407/(1 + 8710/Re) up to the Reynolds
+   !> number Re = 2e5: P. P. Brown and D. F. Lawler, J. Environ. Eng. 129 (2003) 222.
    pure subroutine sphere_coefficients(diameter, mass, density, viscosity, linear_drag, quadratic_drag, sphere_speed)
       real(wp), intent(in) :: diameter, mass         !! Of the bob [m], [kg]
       real(wp), intent(in) :: density, viscosity     !! Of the air [kg/m3], [Pa s]

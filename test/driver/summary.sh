@@ -33,6 +33,12 @@ checks=$((checks + 1))
 [ "$(sed -n 1p orbit.csv; wc -l <orbit.csv | tr -d ' ')" = 't,speed
 51' ] || complain 'the samples as without a summary'
 
+# A circle, and a motion over the top, go round.
+for number in 1 2; do
+   run simulate "$top/examples/scenes/$([ "$number" = 1 ] && echo conical || echo plane).nml" --pendulum "$number" --summary
+   expect_in_out ' s, a revolution'
+done
+
 # Linear drag k: the amplitude falls to 1/e in 2/k, Q = omega/k.
 cat >drag.nml <<'END'
 &pendulum length=1 release_angle=0.5 /
