@@ -21,6 +21,7 @@ module kyvadlo_bench_rows
       row_type(id_rf, 'R_F', 'carlson'), &
       row_type(id_rd, 'R_D', 'carlson'), &
       row_type(id_rj, 'R_J', 'carlson'), &
+      row_type(id_rj, 'R_J, p < 0', 'p < 0'), &
       row_type(id_rg, 'R_G', 'carlson'), &
       row_type(id_k, 'K(m)', 'm', 1), &
       row_type(id_kc, 'K(1-m)', 'm', 0), &

@@ -2,20 +2,16 @@
 module kyvadlo_carlson_rj_real32
    use, intrinsic :: iso_fortran_env, only: wp => real32, xp => real64
    use kyvadlo_numbers_real32, only: quiet_nan, infinity
-   use kyvadlo_carlson_rc_real32, only: carlson_rc, rc_near_one
-   use kyvadlo_carlson_rd_real32, only: rj_series
-   use kyvadlo_carlson_rf_real32, only: carlson_rf
-   use kyvadlo_carlson_rj_pair_real64, only: rj_principal_in_pairs
+   use kyvadlo_carlson_rj_positive_real32, only: rj_positive, rj_far, middle_of, far
+   use kyvadlo_carlson_rj_principal_real64, only: rj_principal
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real32
 
 module kyvadlo_carlson_rj_real64
    use, intrinsic :: iso_fortran_env, only: wp => real64, xp => real64
    use kyvadlo_numbers_real64, only: quiet_nan, infinity
-   use kyvadlo_carlson_rc_real64, only: carlson_rc, rc_near_one
-   use kyvadlo_carlson_rd_real64, only: rj_series
-   use kyvadlo_carlson_rf_real64, only: carlson_rf
-   use kyvadlo_carlson_rj_pair_real64, only: rj_principal_in_pairs
+   use kyvadlo_carlson_rj_positive_real64, only: rj_positive, rj_far, middle_of, far
+   use kyvadlo_carlson_rj_principal_real64, only: rj_principal
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real64
 
@@ -23,10 +19,8 @@ end module kyvadlo_carlson_rj_real64
 module kyvadlo_carlson_rj_real128
    use, intrinsic :: iso_fortran_env, only: wp => real128, xp => real128
    use kyvadlo_numbers_real128, only: quiet_nan, infinity
-   use kyvadlo_carlson_rc_real128, only: carlson_rc, rc_near_one
-   use kyvadlo_carlson_rd_real128, only: rj_series
-   use kyvadlo_carlson_rf_real128, only: carlson_rf
-   use kyvadlo_carlson_rj_pair_real128, only: rj_principal_in_pairs
+   use kyvadlo_carlson_rj_positive_real128, only: rj_positive, rj_far, middle_of, far
+   use kyvadlo_carlson_rj_principal_real128, only: rj_principal
 #include "carlson_rj.inc"
 end module kyvadlo_carlson_rj_real128
 #endif
