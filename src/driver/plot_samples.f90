@@ -11,7 +11,7 @@ module kyvadlo_plot_samples
    use kyvadlo_samples, only: column_type, sample_sink_type, scene_event_type
    use kyvadlo_standard_io, only: close_output, discard_output, open_output, output_type
    use kyvadlo_status, only: code_file, code_input, error_type, fail
-   use kyvadlo_text, only: shown
+   use kyvadlo_text, only: integer_text, shown
    implicit none
    private
    public :: plot_samples_type, check_plot, new_plot, finish_plot, discard_plot
@@ -165,7 +165,7 @@ contains
       type(plot_samples_type), intent(in) :: plot
       type(output_type), intent(inout) :: script
       character(len=:), allocatable :: name, data
-      real(wp) :: least(4), largest(4), whole, still, low, high
+      real(wp) :: least(4), largest(4), whole, across, still, low, high
 
       name = plot%picture(folder_of(plot%picture) + 1:)
       data = plot%stem(folder_of(plot%stem) + 1:)//'.dat'
@@ -200,12 +200,17 @@ contains
       call script%put('# taut, and slack: the bob flies')
       call script%put('taut(c) = column(5) == 0 ? column(c) : NaN; slack(c) = column(5) == 0 ? NaN : column(c)')
       call script%put('# seen from above')
+      across = largest(2) - least(2)
+      call script%put('set xtics '//step(across)//'; set ytics '//step(across))
+      call script%put('set format x '//format(2, across)//'; set format y '//format(3, across))
       call script%put('set origin 0, 0.47; set size 0.5, 0.47; set size ratio -1')
       call script%put('set xlabel "x [m]"; set ylabel "y [m]"')
       call script%put('set xrange '//interval(2)//'; set yrange '//interval(3))
       call draw('plot', '2:3', '2:(taut(3))', '2:(slack(3))')
       call script%put('# height')
       call script%put('set origin 0.5, 0.47; set size noratio; set size 0.5, 0.47')
+      call script%put('set xtics autofreq; set ytics autofreq; set format x; set format y '// &
+         format(4, largest(4) - least(4)))
       if (plot%was_slack) call script%put('set key top right outside horizontal samplen 2')
       call script%put('set xlabel "t [s]"; set ylabel "z [m]"')
       call script%put('set xrange '//interval(1)//'; set yrange '//interval(4))
@@ -214,7 +219,7 @@ contains
       call script%put('# in space')
       call script%put('set origin 0, -0.06; set size 1, 0.6')
       call script%put('set xlabel "x [m]" offset 0, -0.7; set ylabel "y [m]" offset 1, -0.7; set zlabel "z [m]" '// &
-         'rotate by 90 offset -1, 0')
+         'rotate by 90 offset '//integer_text(min(-1, 5 - figures(4, across)))//', 0')
       ! One scale for all three: a flat motion gets room for the numbers of its axis.
       low = plot%least(4)
       high = plot%largest(4)
@@ -231,6 +236,8 @@ contains
          (high - low)/whole), 3))//'; set xyplane relative 0')
       call script%put('set xtics '//step(whole)//' offset 0, -0.4; set ytics '//step(whole)// &
          ' offset 0.8, -0.1; set ztics '//step(whole))
+      call script%put('set format x '//format(2, across)//'; set format y '//format(3, across)//'; set format z '// &
+         format(4, whole))
       call draw('splot', '2:3:4', '2:3:(taut(4))', '2:3:(slack(4))')
       call script%put('unset multiplot')
 
@@ -246,6 +253,22 @@ contains
          part = extent/4/power
          step = trim(digits_text(power*merge(5.0_wp, merge(2.0_wp, 1.0_wp, part >= 2), part >= 5), 3))
       end function step
+
+      !> Figures that tell the numbers of an axis apart.
+      integer function figures(i, extent)
+         integer, intent(in) :: i
+         real(wp), intent(in) :: extent
+
+         figures = max(6, 3 + ceiling(log10(max(abs(least(i)), abs(largest(i)))/extent)))
+      end function figures
+
+      function format(i, extent)
+         integer, intent(in) :: i
+         real(wp), intent(in) :: extent
+         character(len=:), allocatable :: format
+
+         format = '"%.'//integer_text(figures(i, extent))//'g"'
+      end function format
 
       subroutine draw(how, columns, taut, slack)
          character(len=*), intent(in) :: how, columns, taut, slack

@@ -311,6 +311,11 @@ for picture in swing.svg "it's a folder/it's a swing.svg" cone.png; do
       { [ -s "$picture" ] && [ ! -s err ]; } || complain 'the script must draw by itself'
    fi
 done
+# Numbers at an axis that are told apart, of a height that does not change but for micrometres too.
+run simulate "$top/examples/scenes/extremes.nml" --pendulum 2 --plot small.svg
+checks=$((checks + 1))
+grep -q '^set xtics 1.00e-06; set ytics 1.00e-06$' small.gp && grep -q 'set format y "%.9g"' small.gp ||
+   complain 'steps and figures of the axes'
 # Asked for or not, places are drawn; of many samples some.
 run simulate plane.nml --plot swing.svg
 cp out all
