@@ -13,10 +13,10 @@ module kyvadlo_study_accuracy
    public :: ask_accuracies, set_up_to_accuracy, accuracies, accuracy_names
 
    !> What is asked for, and what it is called; a quick study asks for every second one, 1e-6 first.
-   real(real64), parameter :: accuracies(7) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, &
-      1e-20_real64, 1e-30_real64]
-   character(len=5), parameter :: accuracy_names(7) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', &
-      '1e-20', '1e-30']
+   real(real64), parameter :: accuracies(8) = [1e-3_real64, 1e-6_real64, 1e-9_real64, 1e-12_real64, 1e-15_real64, &
+      1e-20_real64, 1e-25_real64, 1e-30_real64]
+   character(len=5), parameter :: accuracy_names(8) = [character(len=5) :: '1e-3', '1e-6', '1e-9', '1e-12', '1e-15', &
+      '1e-20', '1e-25', '1e-30']
 
    type, extends(places_type) :: accurate_type
       type(accurate_orbit_type) :: orbit

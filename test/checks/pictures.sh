@@ -10,7 +10,7 @@ PATH=$2:$PATH; export PATH
 write=${3-}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-ln -s "$1/examples" "$scratch/examples"
+ln -s "$1/examples" "$1/doc" "$scratch"
 cd "$scratch" || exit 1
 foucault_precession >/dev/null || exit 1
 
