@@ -3,13 +3,14 @@
 module kyvadlo_derivatives_faces
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_size_t
    use kyvadlo, only: derivatives_type, error_type => kyvadlo_error_type, new_derivatives_from_energy, &
-      new_derivatives_from_gaps, new_derivatives_from_heights, new_derivatives_from_release, &
-      new_derivatives_from_rises, new_derivatives_from_state
+      new_derivatives_from_energy_above_bottom, new_derivatives_from_energy_above_top, new_derivatives_from_gaps, &
+      new_derivatives_from_heights, new_derivatives_from_release, new_derivatives_from_rises, new_derivatives_from_state
    use kyvadlo_c_orbits, only: give_message
    implicit none
    private
    public :: kyvadlo_derivatives_from_heights, kyvadlo_derivatives_from_gaps, kyvadlo_derivatives_from_rises, &
-      kyvadlo_derivatives_from_energy, kyvadlo_derivatives_from_release, kyvadlo_derivatives_from_state, &
+      kyvadlo_derivatives_from_energy, kyvadlo_derivatives_from_energy_above_top, &
+      kyvadlo_derivatives_from_energy_above_bottom, kyvadlo_derivatives_from_release, kyvadlo_derivatives_from_state, &
       kyvadlo_turning_time_derivatives_from_state, kyvadlo_turning_time_derivatives_from_release, kyvstm
 
 contains
@@ -94,6 +95,38 @@ contains
       call give_all(derivatives, times, states, matrices, periods)
       call give_message(error, message, capacity, code)
    end function kyvadlo_derivatives_from_energy
+
+   function kyvadlo_derivatives_from_energy_above_top(length, gravity, energy, momentum, count, times, states, &
+      matrices, periods, message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, energy, momentum
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_energy_above_top(derivatives, length, gravity, energy, momentum, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_energy_above_top
+
+   function kyvadlo_derivatives_from_energy_above_bottom(length, gravity, energy, momentum, count, times, states, &
+      matrices, periods, message, capacity) result(code) bind(c)
+      real(c_double), value :: length, gravity, energy, momentum
+      integer(c_size_t), value :: count, capacity
+      real(c_double), intent(in) :: times(count)
+      real(c_double), intent(out) :: states(6, count), matrices(5, 6, count), periods(4, 2)
+      character(kind=c_char), intent(out) :: message(*)
+      integer(c_int) :: code
+      type(derivatives_type) :: derivatives
+      type(error_type), allocatable :: error
+
+      call new_derivatives_from_energy_above_bottom(derivatives, length, gravity, energy, momentum, error)
+      call give_all(derivatives, times, states, matrices, periods)
+      call give_message(error, message, capacity, code)
+   end function kyvadlo_derivatives_from_energy_above_bottom
 
    function kyvadlo_derivatives_from_release(length, gravity, angle, speed, count, times, states, matrices, &
       periods, message, capacity) result(code) bind(c)

@@ -193,8 +193,15 @@ int kyvadlo_derivatives_from_gaps(double length, double gravity, double upper_ga
 int kyvadlo_derivatives_from_rises(double length, double gravity, double upper_rise, double lower_rise,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
-/* The same from energy c1 and momentum c2, and, t counted from the release, from an angle [degrees] and a speed. */
+/* The same from energy c1, or c1 - g l or c1 + g l, and momentum c2, and, t counted from the release, from an angle [degrees]
+   and a speed. */
 int kyvadlo_derivatives_from_energy(double length, double gravity, double energy, double momentum,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+int kyvadlo_derivatives_from_energy_above_top(double length, double gravity, double energy_above_top, double momentum,
+   size_t count, const double *times, double *states, double *matrices, double *periods,
+   char *message, size_t capacity);
+int kyvadlo_derivatives_from_energy_above_bottom(double length, double gravity, double energy_above_bottom, double momentum,
    size_t count, const double *times, double *states, double *matrices, double *periods,
    char *message, size_t capacity);
 int kyvadlo_derivatives_from_release(double length, double gravity, double angle, double speed,

@@ -298,10 +298,10 @@ contains
    subroutine write_chunk(plan, file, found, error)
       type(plan_type), intent(in) :: plan
       type(sweep_file_type), intent(inout) :: file
-      type(chunk_type), intent(inout) :: found
+      type(chunk_type), intent(inout), target :: found  !! NaN becomes the fill value
       type(error_type), allocatable, intent(inout) :: error
       integer(int64), dimension(size(plan%dimensions)) :: start, count
-      real(wp), allocatable :: values(:)
+      real(wp), pointer, contiguous :: values(:)
       integer(int8) :: mark(1)
       integer(int64) :: many(2), one(2)
       integer :: i
@@ -309,7 +309,7 @@ contains
       call chunk_start(plan%cut, found%chunk, start, count)
       do i = 1, size(plan%measures)
          if (plan%measures(i)%histogram > 0) cycle
-         values = reshape(found%stored(i)%values, [size(found%stored(i)%values)])
+         values(1:size(found%stored(i)%values)) => found%stored(i)%values
          where (values /= values) values = fill_value
          if (plan%measures(i)%components > 1) then
             call write_doubles(file%nc, file%measures(i), [1_int64, start], &

@@ -73,7 +73,8 @@ contains
       type(worker_type), intent(inout) :: worker
       integer(int64), intent(in) :: first, done      !! Point of the sweep; points of the chunk before it
       integer, intent(in) :: n
-      type(chunk_type), intent(inout) :: found
+      type(chunk_type), intent(inout), target :: found
+      real(wp), pointer, contiguous :: column(:)
       real(wp) :: values(block_points)
       integer :: i, j, at
 
@@ -94,9 +95,14 @@ contains
       at = 0
       do i = 1, size(plan%measures)
          associate (m => plan%measures(i)%components)
-            do j = 1, merge(m, 0, plan%measures(i)%histogram == 0)
-               found%stored(i)%values(j, done + 1:done + n) = worker%values(:n, at + j)
-            end do
+            if (plan%measures(i)%histogram == 0) then
+               if (m == 1) then
+                  column(1:size(found%stored(i)%values)) => found%stored(i)%values
+                  column(done + 1:done + n) = worker%values(:n, at + 1)
+               else
+                  found%stored(i)%values(:, done + 1:done + n) = transpose(worker%values(:n, at + 1:at + m))
+               end if
+            end if
             at = at + m
          end associate
       end do

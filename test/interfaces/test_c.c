@@ -67,6 +67,22 @@ static void try_derivatives(void)
     && near(five[2], acos(-1.0)/90*cos(1.4), 1e-12) && near(periods[0], acos(-1.0)/8, 1e-9), "derivatives from a release");
   check(kyvadlo_derivatives_from_energy(2, 8, -15, 0.3, 1, t, states, five, periods, NULL, 0) == KYVADLO_OK
     && near(five[4], states[3], 1e-12) && !isnan(five[2]) && !isnan(five[3]), "derivatives from energy and momentum");
+  /* The energy along these columns is counted from a point that moves with l and g. */
+  {
+    double above[30], same[6];
+    int row, good = 1;
+    const double g_l[2] = {16, -16};
+    for (int pole = 0; pole < 2; pole++) {
+      good = good && (pole == 0 ? kyvadlo_derivatives_from_energy_above_top : kyvadlo_derivatives_from_energy_above_bottom)
+        (2, 8, -15 - g_l[pole], 0.3, 1, t, same, above, periods, message, sizeof message) == KYVADLO_OK;
+      for (row = 0; row < 6; row++) {
+        const double *x = above + 5*row, *y = five + 5*row, sign = pole == 0 ? 1 : -1;
+        good = good && near(x[2], y[2], 1e-10) && near(x[3], y[3], 1e-10) && near(x[4], y[4], 1e-10)
+          && near(x[0], y[0] + sign*8*y[2], 1e-9) && near(x[1], y[1] + sign*2*y[2], 1e-9);
+      }
+    }
+    check(good, "derivatives from an energy above a pole");
+  }
   /* The lowest point, T/2 = pi sqrt(l/g)/2 after the release; no such times at rest. */
   check(kyvadlo_turning_time_derivatives_from_release(2, 8, 1e-6, 0, 0.1, periods, five, message, sizeof message) == KYVADLO_OK
     && near(periods[0], acos(-1.0)/4, 1e-12) && near(five[0], acos(-1.0)/16, 1e-9) && near(five[1], -acos(-1.0)/64, 1e-9),
