@@ -124,8 +124,11 @@ contains
          return
 #endif
       end if
-      if (option_given(arguments, '--events') .and. option_value(arguments, '--events', '') == '-') &
+      if (option_value(arguments, '--events', '') == '-') then
          call fail(error, code_input, 'option --events needs the name of a file: standard output has the samples')
+      else if (is_netcdf_name(option_value(arguments, '--events', ''))) then
+         call fail(error, code_input, 'option --events writes CSV; with --output FILE.nc the events are in that file')
+      end if
    end subroutine check_options
 
    !> Whether the files of the run, read and written, go together.

@@ -45,6 +45,8 @@ module kyvadlo_sweep_command
       integer :: threads = 1
    end type request_type
 
+   character(len=*), parameter :: by_force = 'replace it by --force'
+
    interface
       function kyvadlo_hold_file(path, is_new, descriptor) bind(c) result(status)
          import :: c_char, c_int
@@ -207,7 +209,7 @@ contains
       path = arguments%operands(1)%text
       code = 0
       if (ranks%rank == 0) then
-         call compare_files(arguments, error)
+         call compare_files(arguments, request, error)
          if (.not. allocated(error)) call read_file(path, text, error)
          if (allocated(error)) code = error%code
       end if
@@ -232,9 +234,10 @@ contains
          call read_part(option_value(arguments, '--part', ''), plan%cut%chunks, request, error)
    end subroutine read_request
 
-   !> No output destroys the plan or a part.
-   subroutine compare_files(arguments, error)
+   !> No output destroys the plan or a part, nor a sheet that is there.
+   subroutine compare_files(arguments, request, error)
       type(arguments_type), intent(in) :: arguments
+      type(request_type), intent(in) :: request
       type(error_type), allocatable, intent(out) :: error
       type(run_files_type) :: files
       integer :: i
@@ -243,8 +246,11 @@ contains
          call add_input(files, merge('the plan', 'a part  ', i == 1), arguments%operands(i)%text)
       end do
       if (option_given(arguments, '--output')) call add_output(files, 'option --output', &
-         option_value(arguments, '--output', ''))
+         request%output)
       call check_files(files, error)
+      if (allocated(error) .or. request%is_netcdf .or. request%is_forced .or. request%output == '') return
+      if (any(kyvadlo_kind_of_sweep(request%output//c_null_char) == [1, 2])) &
+         call fail(error, code_file, request%output//' is there already; '//by_force)
    end subroutine compare_files
 
    !> `I/N`: the chunks of part I of N, which follow each other.
@@ -316,8 +322,7 @@ contains
       old = -1
       kind = int(kyvadlo_kind_of_sweep(request%output//c_null_char))
       if (kind >= 0 .and. .not. (request%is_resumed .or. request%is_forced)) then
-         call fail(error, code_file, request%output//' is there already; go on with it by --resume, or ' &
-            //'replace it by --force')
+         call fail(error, code_file, request%output//' is there already; go on with it by --resume, or '//by_force)
          return
       end if
       ! A new file is held from its first, empty moment on.

@@ -42,9 +42,9 @@ contains
       call stretch(forces%suspension, position, velocity, distance, outward, bending)
       radial = dot_product(outward, velocity)
       associate (radius => forces%suspension%radius, speed => norm2(velocity))
-         if (is_string .and. (distance < (1 - most_off)*radius .or. radial < -most_off*speed)) then
+         if (is_string .and. flies(distance, radius, radial, speed)) then
             is_taut = .false.
-            if (abs(distance - radius) <= most_off*radius .and. .not. forces%is_elastic) then
+            if (distance >= (1 - rounding)*radius .and. .not. forces%is_elastic) then
                unused = 0
                call put_on_surface(forces%suspension, position, unused)
                put(1) = .true.
@@ -53,6 +53,9 @@ contains
          else if (forces%is_elastic) then
             if (.not. distance > 0) call fail(error, code_domain, &
                'the start must not be at the pivot, where an elastic rod has no direction')
+         else if (is_string .and. .not. distance - radius <= most_off*radius) then
+            call fail(error, code_domain, 'the position must not lie outside what the string lets the bob reach, '// &
+               trim(short(radius))//' m, got the distance '//trim(short(distance))//' m')
          else if (.not. abs(distance - radius) <= most_off*radius) then
             call fail(error, code_domain, &
                'the position must lie on the surface on which the bob moves, to a thousandth of its '// &
@@ -71,6 +74,15 @@ contains
       end associate
    end subroutine begin_motion
 
+   !> As `string_starts_in_flight` of kyvadlo_string.
+   pure logical function flies(distance, radius, radial, speed)
+      real(wp), intent(in) :: distance, radius, radial, speed
+
+      flies = distance - radius <= -most_off*radius .or. distance - radius <= most_off*radius .and. &
+         radial < 0 .and. radial <= -most_off*speed .or. &
+         distance < (1 - rounding)*radius .and. radial > 0 .and. radial >= most_off*speed
+   end function flies
+
    !> Whether a string acts at a start: by its length, and next to its surface by where the bob is going.
    logical function is_taut_at(forces, position, velocity, distance, radial) result(is_taut)
       type(forces_type), intent(inout) :: forces
@@ -78,7 +90,8 @@ contains
       real(wp) :: acceleration(3), tension, powers(2), outward(3), bending, length
 
       associate (radius => forces%suspension%radius, speed => norm2(velocity))
-         if (distance < (1 - most_off)*radius .or. radial < -most_off*speed .and. .not. forces%is_elastic) then
+         if (distance - radius <= -most_off*radius .or. flies(distance, radius, radial, speed) .and. .not. forces%is_elastic) &
+            then
             is_taut = .false.
          else if (.not. forces%is_elastic) then
             call move(forces, .true., 0.0_wp, position, velocity, acceleration, tension, powers)

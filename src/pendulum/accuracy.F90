@@ -110,9 +110,9 @@ contains
 #ifdef KYVADLO_NO_REAL128
          call fail(error, code_domain, &
             'new_orbit_to_accuracy: this build has no quadruple precision; an accuracy of '// &
-            text(accuracy_finest_double)//' is kept for 2**52 half periods, and one of '// &
-            text(accuracy_finest_double_double)//' for 2**31 where there is a period, got accuracy '// &
-            text(accuracy)//' and '// text(half_periods(plan%orbit, plan%span))//' half periods')
+            trim(text(accuracy_finest_double))//' is kept for 2**52 half periods, and one of '// &
+            trim(text(accuracy_finest_double_double))//' for 2**31 where there is a period, got accuracy '// &
+            trim(text(accuracy))//' and '// trim(text(half_periods(plan%orbit, plan%span)))//' half periods')
 #else
          allocate (plan%wide)
          call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128) + rest, real(first, real128), &
@@ -138,14 +138,14 @@ contains
          continue
       else if (orbit%kernel%grade /= grade_full) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need an orbit without an accuracy, got '// &
-            plan%choice_text())
+            'one of '//trim(plan%choice_text()))
       else
          call choose(plan, .false., is_kept)
          if (is_kept) return
          call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &
-            text(accuracy_finest_double)// &
-            ' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//text(accuracy)// ' and '// &
-            text(half_periods(plan%orbit, plan%span))//' half periods')
+            trim(text(accuracy_finest_double))// &
+            ' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//trim(text(accuracy))// ' and '// &
+            trim(text(half_periods(plan%orbit, plan%span)))//' half periods')
       end if
       call spoil(plan)
    end subroutine to_accuracy_from_orbit
@@ -161,12 +161,12 @@ contains
       if (is_nan(accuracy)) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need an accuracy, got NaN')
       else if (.not. (accuracy_finest_quad <= accuracy .and. accuracy <= accuracy_coarsest)) then
-         call fail(error, code_domain, 'new_orbit_to_accuracy: need '//text(accuracy_finest_quad)// &
-            ' <= accuracy <= '// text(accuracy_coarsest)//', got '//text(accuracy))
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need '//trim(text(accuracy_finest_quad))// &
+            ' <= accuracy <= '// trim(text(accuracy_coarsest))//', got '//trim(text(accuracy)))
       else if (is_nan(span)) then
          call fail(error, code_domain, 'new_orbit_to_accuracy: need a span, got NaN')
       else if (.not. plan%span >= 0) then
-         call fail(error, code_domain, 'new_orbit_to_accuracy: need span >= 0, got '//text(plan%span))
+         call fail(error, code_domain, 'new_orbit_to_accuracy: need span >= 0, got '//trim(text(plan%span)))
       end if
    end subroutine begin
 
@@ -224,7 +224,7 @@ contains
       plan%bound = accuracy_finest_quad
       if (half_periods(plan%orbit, plan%span) <= real(1/epsilon(1.0_real128), real64)) return
       call fail(error, code_domain, 'new_orbit_to_accuracy: need a span of at most 2**112 half periods, got '// &
-         text(half_periods(plan%orbit, plan%span)))
+         trim(text(half_periods(plan%orbit, plan%span))))
    end subroutine check_wide
 #endif
 

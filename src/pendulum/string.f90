@@ -55,6 +55,8 @@ module kyvadlo_string
    real(wp), parameter :: rattling = sqrt(epsilon(1.0_wp))
    !> A start further off the sphere, or with a larger part of its speed inwards, begins a flight: as in kyvadlo_gaps.
    real(wp), parameter :: most_off = 1e-3_wp
+   !> What rounding leaves of a distance.
+   real(wp), parameter :: rounding = 8*epsilon(1.0_wp)
    !> A motion of more pieces than this is cut and says so.
    integer, parameter :: most_events = 100000
 
@@ -120,13 +122,17 @@ contains
       motion%until = merge(duration, piece%start, motion%is_complete)
    end subroutine new_string_motion
 
-   !> Whether a string is slack because its bob starts inside the sphere or moves inwards. (On the sphere it may be
-   !> slack because it is slow.)
+   !> Whether a string is slack because its bob starts inside the sphere or moves inwards. Next to the sphere, to the
+   !> three digits that people type, a bob that moves along it is on it; and there it may be slack because it is slow.
    pure logical function string_starts_in_flight(length, position, velocity)
       real(wp), intent(in) :: length, position(3), velocity(3)
+      real(wp) :: radius, outward, most
 
-      string_starts_in_flight = norm2(position) < (1 - most_off)*length .or. &
-         dot_product(position, velocity) < -most_off*norm2(velocity)*norm2(position)
+      radius = norm2(position)
+      outward = dot_product(position, velocity)
+      most = most_off*length*norm2(velocity)
+      string_starts_in_flight = radius - length <= -most_off*length .or. outward < 0 .and. outward <= -most .or. &
+         radius < (1 - rounding)*length .and. outward > 0 .and. outward >= most
    end function string_starts_in_flight
 
    !> The flight from a start in the sphere, or on it and inwards.
@@ -148,7 +154,7 @@ contains
       piece%is_taut = .false.
       piece%position = position
       piece%velocity = velocity
-      if (radius >= (1 - most_off)*length) then
+      if (radius >= (1 - rounding)*length) then
          piece%position = position*(length/radius)
       else
          piece%depth = (length - radius)*(length + radius)/2

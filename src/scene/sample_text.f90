@@ -177,7 +177,7 @@ contains
       if (present(cells)) then
          text = cells(i)
       else if (value == value) then
-         text = shortest_text(value)
+         text = shortest_text(value + 0)   ! A zero loses its sign
       end if
    end function event_text
 

@@ -5,6 +5,7 @@ module kyvadlo_simulation_path
    use kyvadlo_string, only: event_slack, new_string_motion, string_event_type, string_motion_type, &
       string_starts_in_flight
    use kyvadlo_accuracy, only: accurate_orbit_type, accuracy_finest_quad, new_orbit_to_accuracy
+   use kyvadlo_closed_form, only: closed_form_words, default_duration, lowest_tension
    use kyvadlo_buoyancy, only: effective_gravity, effective_gravity_rest, effective_inertia, effective_weight
    use kyvadlo_effects, only: any_effect, effects_type
    use kyvadlo_force_checks, only: check_forces
@@ -82,6 +83,7 @@ module kyvadlo_simulation_path
    !> precision has.
    real(wp), parameter :: finest_of_doubles = 1e-16_wp
    integer, parameter :: most_figures = 34
+   real(wp), parameter :: half_ulp_of_quads = 2.0_wp**(-113)
    !> What two parts of a double resolve.
    real(wp), parameter :: finest_of_parts = epsilon(1.0_wp)**2
    !> What a table of lengths may be off at time 0: numbers of three digits, as in kyvadlo_gaps.
@@ -366,6 +368,7 @@ contains
       type(path_type), intent(inout) :: path
       type(error_type), allocatable, intent(out) :: error
       integer, allocatable :: asked(:)
+      real(wp) :: drift
 
       if (accuracy < accuracy_finest_quad) then
          call fail(error, code_input, 'option --accuracy must be at least '// &
@@ -381,15 +384,7 @@ contains
       if (.not. allocated(error) .and. lost_phase(path) > max(accuracy, finest_of_parts)) &
          call fail(error, code_unsupported, '')
       if (allocated(error)) then
-         error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))// &
-            '&output: over '//shortest_text(path%duration)//' s '
-         if (is_asked) then
-            error%message = error%message//'an accuracy of '//shortest_text(accuracy) &
-               //' cannot be kept: rounding alone loses the phase by more; shorten duration'
-         else
-            error%message = error%message// &
-               'no precision of this build can tell the phase of the motion; shorten duration'
-         end if
+         call say_where('rounding alone loses the phase by more')
          return
       end if
       path%method = path%method//' ('//trim(path%plan%choice_text())//')'
@@ -404,8 +399,33 @@ contains
       if (allocated(error) .or. path%figures == 0 .or. .not. path%plan%is_beyond_double()) return
       if (.not. allocated(path%plan%wide)) allocate (path%plan%wide)
       call orbit_in_fluid(simulation%pendulum, simulation%settings%effects%density_ratio, &
-         simulation%settings%effects%added_mass, path%plan%wide, error)
-      if (.not. allocated(error)) call path%plan%take_wide()
+         simulation%settings%effects%added_mass, path%plan%wide, error, drift)
+      if (allocated(error)) return
+      ! Times are rounded too, unless they are whole parts, a power of two of them, of a duration that a double holds.
+      if (abs(path%duration_rest) > 0 .or. popcnt(simulation%settings%samples - 1) > 1) drift = drift &
+         + half_ulp_of_quads*sqrt(2*(path%orbit%energy() + path%gravity*path%length))/path%length
+      if (drift*path%duration > accuracy) then
+         call fail(error, code_unsupported, '')
+         call say_where('the decimals of the scene, rounded to quadruple precision, lose the phase by more')
+      else
+         call path%plan%take_wide()
+      end if
+
+   contains
+
+      subroutine say_where(why)
+         character(len=*), intent(in) :: why
+
+         error%message = place_of(simulation%settings%file, max(simulation%settings%line(output_group), 1))// &
+            '&output: over '//shortest_text(path%duration)//' s '
+         if (is_asked) then
+            error%message = error%message//'an accuracy of '//shortest_text(accuracy)//' cannot be kept: '//why// &
+               '; shorten duration'
+         else
+            error%message = error%message// &
+               'no precision of this build can tell the phase of the motion; shorten duration'
+         end if
+      end subroutine say_where
    end subroutine plan_accuracy
 
    !> By how much the phase is off at the end of the duration, because the gravity in a fluid is known in two parts of a
@@ -445,47 +465,5 @@ contains
       end do
       words = words(3:)
    end function integrated_groups
-
-   !> The tension over mass at the highest point of an orbit, (2 c1 - 3 g z1)/l [m/s2].
-   pure real(wp) function lowest_tension(orbit)
-      type(orbit_type), intent(in) :: orbit
-
-      lowest_tension = (2*orbit%energy() - 3*orbit%gravity*orbit%turning%upper)/orbit%length
-   end function lowest_tension
-
-   !> One period: of the height, of a plane swing to and fro, of a revolution of a conical pendulum; for the motion that
-   !> never reaches the top and for rest at it, 4 sqrt(l/g).
-   pure real(wp) function default_duration(orbit) result(duration)
-      type(orbit_type), intent(in) :: orbit
-
-      select case (orbit%motion)
-      case (motion_conical)
-         duration = 2*pi*sqrt(-orbit%turning%upper/orbit%gravity)
-      case (motion_plane_libration)
-         duration = 2*orbit%period()
-      case (motion_separatrix, motion_upright)
-         duration = 4*sqrt(orbit%length/orbit%gravity)
-      case default
-         duration = orbit%period()
-      end select
-   end function default_duration
-
-   pure function closed_form_words(orbit) result(words)
-      type(orbit_type), intent(in) :: orbit
-      character(len=80) :: words
-
-      select case (orbit%motion)
-      case (motion_conical)
-         words = 'closed form of the conical pendulum: a uniform circle, by the batch kernel'
-      case (motion_plane_libration)
-         words = 'closed form of the plane swing, by the batch kernel'
-      case (motion_plane_rotation)
-         words = 'closed form of the plane revolution, by the batch kernel'
-      case (motion_separatrix)
-         words = 'closed form of the motion towards the top, in hyperbolic functions'
-      case default
-         words = 'closed form of the spherical pendulum in theta functions, by the batch kernel'
-      end select
-   end function closed_form_words
 
 end module kyvadlo_simulation_path

@@ -73,4 +73,15 @@ if has_quad; then
    fails 2 'fine.nml:2: &event: over so long double precision cannot tell one swing from the next' simulate fine.nml
 fi
 
+# A zero has no sign, in comments and in rows; a sheet is no NetCDF.
+sed "s/quantity='vx' direction=1/quantity='x'/; /value=-0.75/d; /^&output/d" swing.nml >zero.nml
+run simulate zero.nml --events zero.csv
+checks=$((checks + 1))
+grep -q 'x falls through 0,' zero.csv || complain 'a passage expected'
+! grep -q -e '-0e+00' zero.csv || complain 'a zero has a sign in the events'
+run simulate zero.nml
+checks=$((checks + 1))
+! grep -q -e '-0e+00' out || complain 'a zero has a sign in the samples or comments'
+fails 2 'option --events writes CSV' simulate swing.nml --events events.nc
+
 finish

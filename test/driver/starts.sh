@@ -2,6 +2,8 @@
 # lengths on its own surface; what a string says of it, and integrations that would not come to an end.
 . "$2/test/driver/expect.sh"
 
+has_gsl() { "$program" --version | grep -q GSL; }
+
 # holds WHAT AWK: the script must print nothing about ./out.
 holds() {
    checks=$((checks + 1))
@@ -25,6 +27,21 @@ sed 's/velocity=1,0,0/velocity=0,0,0/' inside.nml >axis.nml
 run simulate axis.nml
 expect_match '^# taut: t = [19][0-9.]*e[+-]0[01] s, x = 0e+00 m, y = 0e+00 m, z = -1e+00 m, energy lost = [12][0-9.]*e+00 m2/s2$'
 expect_match '^5e-01,0e+00,0e+00,-2.5e-01,0e+00,0e+00,-1e+00,$'
+# Next to the sphere: towards it or away from it the bob flies from where it is, at rest it counts as on it; to the thousandth.
+for radial in '-0.9995 1 -9.995e-01' '-0.9999 -1 -9.999e-01' '-0.9995 0 -1e+00' '-0.999 0 -9.99e-01'; do
+   # shellcheck disable=SC2086
+   set -- "$1" "$2" $radial
+   for air in '' '&air linear=0.1 /'; do
+      has_gsl || [ -z "$air" ] || continue
+      echo "&pendulum length=1, position=0,0,$3 velocity=0,0,$4 / &string / $air &output duration=1, samples=2, quantities='position' /" >next.nml
+      run simulate next.nml
+      expect_match "^0e+00,0e+00,0e+00,$5\$"
+   done
+done
+if has_gsl; then
+   echo "&pendulum length=1, position=0,0,-1.5 velocity=0,0,1 / &string / &air linear=0.1 / &output duration=1 /" >beyond.nml
+   fails 2 'beyond.nml:1: &pendulum: the position must not lie outside what the string lets the bob reach, 1.000000 m, got' simulate beyond.nml
+fi
 # From the sphere inwards; along a chord through the pivot without much time to fall.
 cat >inwards.nml <<'END'
 &pendulum length=1, gravity=1e-6, position=0.6,0,-0.8, velocity=-6,0,8 /
@@ -35,7 +52,7 @@ run simulate inwards.nml
 expect_status 0
 expect_match '^# rebound: t = 2.00000[0-9]*e-01 s, x = -[56][0-9.]*e-01 m, y = 0e+00 m, z = [78][0-9.]*e-01 m'
 sed 's/position=0.6,0,-0.8/position=1.6,0,-0.8/' inwards.nml >outside.nml
-fails 2 'outside.nml:1: &pendulum: string: the position must not lie outside' simulate outside.nml
+fails 2 'outside.nml:1: &pendulum: the position must not lie outside' simulate outside.nml
 sed 's/velocity=-6,0,8/velocity=6,0,-8/' inwards.nml >outwards.nml
 fails 2 'radial speed' simulate outwards.nml
 # No accuracy is promised from event to event.
@@ -44,7 +61,7 @@ sed 's/position=0,0,0/position=0,0,-1/' inside.nml >taut.nml
 run simulate taut.nml --accuracy 1e-9
 expect_status 0
 
-"$program" --version | grep -q GSL || { finish; exit; }
+has_gsl || { finish; exit; }
 
 # The same with as good as no air, integrated: the same events within 1e-9 sqrt(l/g), rebounds and the end of rattling included.
 events() {

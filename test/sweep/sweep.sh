@@ -80,6 +80,16 @@ expect_match '^9e+00,.*,3e-01,-8e-01,computed'
 fails 2 "option --pendulum: none is named 'x'; give another name, or a number from 1 to 2" sweep two.nml --pendulum x
 fails 2 'two.nml:1: a second &pendulum; choose it by --pendulum' sweep two.nml
 
+# A sheet that is there stays, unless it is said to go.
+echo mine >mine.csv
+fails 2 'mine.csv is there already; replace it by --force' sweep two.nml --pendulum 2 --output mine.csv
+grep -q mine mine.csv || complain 'a sheet was replaced without --force'
+run sweep two.nml --pendulum 2 --output mine.csv --force
+expect_status 0
+same low.csv mine.csv
+run sweep two.nml --pendulum 1 --output /dev/null
+expect_status 0
+
 [ -n "$with_netcdf" ] || { echo 'no NetCDF in this build: no file tested'; finish; exit; }
 fails 2 'probe.nc is there already' sweep "$plans/periods.nml" --output probe.nc
 cp probe.nc before.nc
