@@ -90,8 +90,8 @@ contains
       real(wp) :: acceleration(3), tension, powers(2), outward(3), bending, length
 
       associate (radius => forces%suspension%radius, speed => norm2(velocity))
-         if (distance - radius <= -most_off*radius .or. flies(distance, radius, radial, speed) .and. .not. forces%is_elastic) &
-            then
+         if (distance - radius <= -most_off*radius .or. .not. forces%is_elastic .and. &
+            flies(distance, radius, radial, speed)) then
             is_taut = .false.
          else if (.not. forces%is_elastic) then
             call move(forces, .true., 0.0_wp, position, velocity, acceleration, tension, powers)

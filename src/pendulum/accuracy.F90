@@ -144,8 +144,8 @@ contains
          if (is_kept) return
          call fail(error, code_domain, 'new_orbit_to_accuracy: an orbit in double precision keeps an accuracy of '// &
             trim(text(accuracy_finest_double))// &
-            ' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//trim(text(accuracy))// ' and '// &
-            trim(text(half_periods(plan%orbit, plan%span)))//' half periods')
+            ' and 2**52 half periods (from its start, real128 keeps more), got accuracy '//trim(text(accuracy)) &
+            //' and '//trim(text(half_periods(plan%orbit, plan%span)))//' half periods')
       end if
       call spoil(plan)
    end subroutine to_accuracy_from_orbit

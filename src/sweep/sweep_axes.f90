@@ -1,12 +1,16 @@
 !> The axes of a sweep: which setting takes which values. Every value follows from the plan and its index alone.
 module kyvadlo_sweep_axes
    use, intrinsic :: iso_fortran_env, only: int64
+   use kyvadlo_decimal_grid, only: grid_point, grid_type, new_grid
+   use kyvadlo_pairs_real64, only: pair_type, two_product, two_sum
    use kyvadlo_group_values, only: refuse
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: entry_type, group_type
    use kyvadlo_normal_quantile, only: normal_quantile
    use kyvadlo_number_text, only: read_number
+   use kyvadlo_numbers, only: is_finite
    use kyvadlo_philox, only: philox_key, philox_uniform
+   use kyvadlo_sample_times, only: rounded_off
    use kyvadlo_status, only: error_type
    use kyvadlo_text, only: integer_text, lower_case, shown
    implicit none
@@ -26,6 +30,8 @@ module kyvadlo_sweep_axes
       integer(int64) :: count = 0
       logical :: is_log = .false.                    !! A uniform one over the logarithm
       real(wp) :: from = 0, to = 0
+      real(wp) :: rest(2) = 0                        !! What rounding took off `from` and `to` as they were typed
+      type(grid_type) :: grid                        !! Of a linear one: of the decimals as they were typed
       real(wp), allocatable :: list(:)
       integer(int64) :: key(2) = 0                   !! Of the generator
       real(wp) :: mean = 0
@@ -46,7 +52,7 @@ contains
          'values', 'random', 'seed', 'covariance', 'together', 'mean', 'deviation']
       character(len=:), allocatable :: scale, random
       integer(int64) :: seed
-      logical :: given(size(known))
+      integer :: given(size(known))   !! Places of the entries, 0: none
       integer :: i
 
       axis%line = group%line
@@ -55,17 +61,17 @@ contains
       scale = 'linear'
       random = ''
       seed = 0
-      given = .false.
+      given = 0
       do i = 1, size(group%entries)
          associate (entry => group%entries(i), place => findloc(known == group%entries(i)%name, .true., 1))
             if (place == 0) then
                call refuse(error, group, entry%line, 'unknown name '//shown(entry%name)//'; known are '// &
                   'name, from, to, count, scale, values, random, seed, mean, deviation, covariance, together')
-            else if (given(place)) then
+            else if (given(place) > 0) then
                call refuse(error, group, entry%line, trim(known(place))//' given twice')
             end if
             if (allocated(error)) return
-            given(place) = .true.
+            given(place) = i
             select case (trim(known(place)))
             case ('name')
                call text_of(group, entry, axis%name, error)
@@ -133,6 +139,11 @@ contains
          call refuse(error, group, group%line, 'seed without random')
       else if (axis%kind /= axis_normal .and. any_of(['mean      ', 'deviation ', 'covariance'])) then
          call refuse(error, group, group%line, "mean, deviation and covariance belong to random = 'normal'")
+      else if (axis%kind == axis_linear) then
+         associate (from => group%entries(given(2)), to => group%entries(given(3)))
+            call new_grid(axis%grid, from%values(1)%text, to%values(1)%text, max(axis%count - 1, 1_int64))
+            axis%rest = [rounded_off(from%values(1)%text, axis%from), rounded_off(to%values(1)%text, axis%to)]
+         end associate
       end if
 
    contains
@@ -140,7 +151,7 @@ contains
       pure logical function is_given(name)
          character(len=*), intent(in) :: name
 
-         is_given = given(findloc(known == name, .true., 1))
+         is_given = given(findloc(known == name, .true., 1)) > 0
       end function is_given
 
       pure logical function any_of(names)
@@ -280,9 +291,7 @@ contains
          values = axis%list(first + 1:first + size(values))
       case (axis_linear)
          do i = 1, size(values)
-            index = first + i - 1
-            values(i) = axis%from + (axis%to - axis%from)*(real(index, wp)/parts)
-            if (index == axis%count - 1 .and. index > 0) values(i) = axis%to
+            values(i) = linear_value(axis, first + i - 1)
          end do
       case (axis_log)
          do i = 1, size(values)
@@ -310,6 +319,36 @@ contains
          end do
       end select
    end subroutine axis_values
+
+   !> Between the decimals as they were typed, (A (n - i) + B i)/n, rounded once: in pairs, and where those leave open
+   !> to which side, or digits cancel, in whole numbers.
+   pure real(wp) function linear_value(axis, index) result(value)
+      type(axis_type), intent(in) :: axis
+      integer(int64), intent(in) :: index
+      type(pair_type) :: left, right, total, product
+      real(wp) :: parts, before, after, low
+      character(len=:), allocatable :: ignored
+      logical :: is_sure
+      !> Products of smaller numbers lose their low parts.
+      real(wp), parameter :: small = 1e-250_wp
+
+      parts = real(max(axis%count - 1, 1_int64), wp)
+      after = real(index, wp)
+      before = parts - after
+      left = two_product(axis%from, before)
+      right = two_product(axis%to, after)
+      total = two_sum(left%high, right%high)
+      total = two_sum(total%high, total%low + ((left%low + axis%rest(1)*before) + (right%low + axis%rest(2)*after)))
+      value = total%high/parts
+      product = two_product(value, parts)
+      low = ((total%high - product%high) + (total%low - product%low))/parts
+      total = two_sum(value, low)
+      value = total%high
+      is_sure = is_finite(total%low)
+      if (is_sure) is_sure = abs(value) > max(small, 1e-6_wp*max(abs(axis%from), abs(axis%to)))
+      if (is_sure) is_sure = all(abs(abs(total%low) - spacing(value)*[0.5_wp, 0.25_wp]) > 1e-7_wp*spacing(value))
+      if (.not. is_sure) call read_number(trim(grid_point(axis%grid, index)), value, ignored)
+   end function linear_value
 
    !> The triangular factor of the covariance of the normal axes of one cloud, by Cholesky; of one alone its deviation.
    pure subroutine draw_cloud(axes, members, is_definite)

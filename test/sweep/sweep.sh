@@ -64,6 +64,20 @@ expect_out 'length,gravity,z_upper,heights_1,heights_2,status
 2e+00,9e+00,2e-01,2e-01,-8e-01,computed
 2e+00,1e+01,2e-01,2e-01,-8e-01,computed'
 
+# Between decimals as they were typed: circles are met, what is no orbit is none, 0 is 0.
+printf '%s\n' "&pendulum length=1 / &axis name='z_upper' from=-0.9 to=0.9 count=19 / &axis name='z_lower' from=-1 to=0 count=11 /" \
+   "&measure quantities='T' /" >grid.nml
+run sweep grid.nml
+expect_status 0
+for height in 9 8 7 6 5 4 3 2 1; do expect_match "^-${height}e-01,-${height}e-01,.*,computed\$"; done
+checks=$((checks + 2))
+[ "$(grep -c computed out)" -eq 109 ] || complain "109 of 209 pairs are orbits, got $(grep -c computed out)"
+[ "$(sed 1d out | cut -d , -f 1 | awk 'length > 6' | wc -l)" -eq 0 ] || complain 'a height is not the decimal'
+printf '%s\n' "&pendulum length=1, z_upper=0, z_lower=-0.5 / &axis name='gravity' from=9.7 to=9.9 count=21 /" \
+   "&axis name='z_upper' from=-0.3 to=0.6 count=10 together='g' / &measure quantities='T' /" | sed "s/count=21/count=10 together='g'/" >zero.nml
+run sweep zero.nml
+expect_match '^[^,]*,0e+00,'
+
 # One pendulum of several, by name or number: as if the plan had it alone.
 axis="&axis name='gravity', values=9,10 / &measure quantities='T heights' /"
 printf '%s\n' "&pendulum name='low' length=2, z_upper=-1, z_lower=-1.8 / $axis" >low.nml
