@@ -28,35 +28,14 @@ contains
       integer, intent(out) :: status                !! 0; 1: no minimum
       type(error_type), allocatable, intent(out) :: error
 #ifdef KYVADLO_WITH_GSL
-      type(run_files_type) :: files
       type(fit_request_type) :: request
       type(fit_data_type) :: data
       type(fit_result_type) :: result
-      character(len=:), allocatable :: scene, table, pendulum
       integer :: i, copies, seed, threads
 
       status = 0
-      call read_options(error)
-      if (allocated(error)) return
-      if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
-      associate (scene_path => arguments%operands(1)%text, data_path => arguments%operands(2)%text)
-         call add_input(files, 'the scene', scene_path)
-         call add_input(files, 'the data', data_path)
-         call add_output(files, 'option --output', option_value(arguments, '--output', ''))
-         if (option_given(arguments, '--residuals')) &
-            call add_output(files, 'option --residuals', option_value(arguments, '--residuals', ''))
-         call check_files(files, error)
-         if (.not. allocated(error)) call read_file(scene_path, scene, error)
-         if (.not. allocated(error)) call parse_fit_request(scene, file_name(scene_path), request, &
-            error, pendulum)
-         if (.not. allocated(error) .and. option_given(arguments, '--plot')) then
-            call check_plot(option_value(arguments, '--plot', ''), request%pendulum%name, files, error)
-            if (.not. allocated(error)) call check_files(files, error)
-         end if
-         if (.not. allocated(error)) call read_file(data_path, table, error)
-         if (.not. allocated(error)) call parse_fit_data(table, file_name(data_path), data, error)
-      end associate
-      if (.not. allocated(error)) call check_fit(request, data, error)
+      call read_options(arguments, copies, seed, threads, error)
+      if (.not. allocated(error)) call read_inputs(arguments, request, data, error)
       if (allocated(error)) return
       if (option_given(arguments, '--explain')) call explain_fit(request, data)
       call fit_measurements(request, data, result, error)
@@ -72,78 +51,117 @@ contains
       else
          status = 1
       end if
-      call write_file('--output', error)
-      if (.not. allocated(error) .and. option_given(arguments, '--residuals')) call write_file('--residuals', error)
+      call write_file(arguments, '--output', result, request, error)
+      if (.not. allocated(error) .and. option_given(arguments, '--residuals')) &
+         call write_file(arguments, '--residuals', result, request, error)
       if (allocated(error) .or. .not. option_given(arguments, '--plot')) return
       if (allocated(result%residual)) then
          call plot_fit(result, request, option_value(arguments, '--plot', ''), error)
       else
          call message('kyvadlo: no picture, as there is no fit')
       end if
-
-   contains
-
-      subroutine read_options(error)
-         type(error_type), allocatable, intent(out) :: error
-         character(len=*), parameter :: named(2) = [character(len=11) :: '--output', '--residuals']
-         integer :: i
-
-         if (size(arguments%operands) /= 2) then
-            call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
-            return
-         end if
-         if (arguments%operands(1)%text == '-' .and. arguments%operands(2)%text == '-') then
-            call fail(error, code_input, 'fit: the scene and the data cannot both be standard input')
-            return
-         end if
-         do i = 1, size(named)
-            if (option_given(arguments, trim(named(i))) .and. option_value(arguments, trim(named(i)), '') == '') then
-               call fail(error, code_input, 'option '//trim(named(i))//' needs the name of a file')
-               return
-            end if
-         end do
-         copies = 0
-         seed = 1
-         threads = 1
-         call integer_option(arguments, '--bootstrap', 20, 1000000, copies, error)
-         if (.not. allocated(error)) call integer_option(arguments, '--seed', 0, 999999999, seed, error)
-         if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, threads, error)
-         if (allocated(error)) return
-         if (copies > 0 .and. option_given(arguments, '--profile')) then
-            call fail(error, code_input, 'options --profile and --bootstrap both give intervals; choose one')
-         else if (copies == 0 .and. option_given(arguments, '--seed')) then
-            call fail(error, code_input, 'option --seed is of --bootstrap')
-         else if (copies == 0 .and. .not. option_given(arguments, '--profile') .and. option_given(arguments, &
-            '--threads')) then
-            call fail(error, code_input, 'option --threads shares the work of --profile and --bootstrap')
-         end if
-      end subroutine read_options
-
-      subroutine write_file(option, error)
-         character(len=*), intent(in) :: option
-         type(error_type), allocatable, intent(out) :: error
-         type(output_type) :: output
-
-         call open_output(output, option_value(arguments, option, ''), error)
-         if (allocated(error)) return
-         if (option == '--residuals') then
-            call write_residuals(result, request, output)
-         else
-            select case (option_value(arguments, '--format', 'text'))
-            case ('json')
-               call write_fit_json(result, request, output)
-            case ('csv')
-               call write_fit_csv(result, output)
-            case default
-               call write_fit_text(result, request, output)
-            end select
-         end if
-         call close_output(output, error)
-      end subroutine write_file
 #else
       status = 0
       call fail(error, code_unsupported, 'fit needs GSL, and this build has none')
 #endif
    end subroutine fit_command
+
+#ifdef KYVADLO_WITH_GSL
+   !> Operands and options, as far as they can be judged alone.
+   subroutine read_options(arguments, copies, seed, threads, error)
+      type(arguments_type), intent(in) :: arguments
+      integer, intent(out) :: copies, seed, threads
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: named(2) = [character(len=11) :: '--output', '--residuals']
+      character(len=:), allocatable :: name
+      integer :: i
+
+      copies = 0
+      seed = 1
+      threads = 1
+      if (size(arguments%operands) /= 2) then
+         call fail(error, code_input, 'fit needs a scene and a table of data; - is standard input')
+      else if (arguments%operands(1)%text == '-' .and. arguments%operands(2)%text == '-') then
+         call fail(error, code_input, 'fit: the scene and the data cannot both be standard input')
+      end if
+      do i = 1, size(named)
+         if (allocated(error)) return
+         if (.not. option_given(arguments, trim(named(i)))) cycle
+         name = option_value(arguments, trim(named(i)), '')
+         if (name == '') then
+            call fail(error, code_input, 'option '//trim(named(i))//' needs the name of a file')
+         else if (len(name) > 3 .and. index(name, '.nc', back=.true.) == len(name) - 2) then
+            call fail(error, code_input, 'option '//trim(named(i))//': a fit is text; NetCDF (.nc) comes from simulate')
+         end if
+      end do
+      if (.not. allocated(error)) call integer_option(arguments, '--bootstrap', 20, 1000000, copies, error)
+      if (.not. allocated(error)) call integer_option(arguments, '--seed', 0, 999999999, seed, error)
+      if (.not. allocated(error)) call integer_option(arguments, '--threads', 0, 1024, threads, error)
+      if (allocated(error)) return
+      if (copies > 0 .and. option_given(arguments, '--profile')) then
+         call fail(error, code_input, 'options --profile and --bootstrap both give intervals; choose one')
+      else if (copies == 0 .and. option_given(arguments, '--seed')) then
+         call fail(error, code_input, 'option --seed is of --bootstrap')
+      else if (copies == 0 .and. .not. option_given(arguments, '--profile') .and. option_given(arguments, &
+         '--threads')) then
+         call fail(error, code_input, 'option --threads shares the work of --profile and --bootstrap')
+      end if
+   end subroutine read_options
+
+   !> The scene and the data, and that the files to be written are others.
+   subroutine read_inputs(arguments, request, data, error)
+      type(arguments_type), intent(in) :: arguments
+      type(fit_request_type), intent(out) :: request
+      type(fit_data_type), intent(out) :: data
+      type(error_type), allocatable, intent(out) :: error
+      type(run_files_type) :: files
+      character(len=:), allocatable :: scene, table, pendulum
+
+      if (option_given(arguments, '--pendulum')) pendulum = option_value(arguments, '--pendulum', '')
+      associate (scene_path => arguments%operands(1)%text, data_path => arguments%operands(2)%text)
+         call add_input(files, 'the scene', scene_path)
+         call add_input(files, 'the data', data_path)
+         call add_output(files, 'option --output', option_value(arguments, '--output', ''))
+         if (option_given(arguments, '--residuals')) &
+            call add_output(files, 'option --residuals', option_value(arguments, '--residuals', ''))
+         call check_files(files, error)
+         if (.not. allocated(error)) call read_file(scene_path, scene, error)
+         if (.not. allocated(error)) call parse_fit_request(scene, file_name(scene_path), request, error, pendulum)
+         if (.not. allocated(error) .and. option_given(arguments, '--plot')) then
+            call check_plot(option_value(arguments, '--plot', ''), request%pendulum%name, files, error)
+            if (.not. allocated(error)) call check_files(files, error)
+         end if
+         if (.not. allocated(error)) call read_file(data_path, table, error)
+         if (.not. allocated(error)) call parse_fit_data(table, file_name(data_path), data, error)
+      end associate
+      if (.not. allocated(error)) call check_fit(request, data, error)
+   end subroutine read_inputs
+
+   !> What an option names: the answer or the residuals.
+   subroutine write_file(arguments, option, result, request, error)
+      type(arguments_type), intent(in) :: arguments
+      character(len=*), intent(in) :: option
+      type(fit_result_type), intent(in) :: result
+      type(fit_request_type), intent(in) :: request
+      type(error_type), allocatable, intent(out) :: error
+      type(output_type) :: output
+
+      call open_output(output, option_value(arguments, option, ''), error)
+      if (allocated(error)) return
+      if (option == '--residuals') then
+         call write_residuals(result, request, output)
+      else
+         select case (option_value(arguments, '--format', 'text'))
+         case ('json')
+            call write_fit_json(result, request, output)
+         case ('csv')
+            call write_fit_csv(result, output)
+         case default
+            call write_fit_text(result, request, output)
+         end select
+      end if
+      call close_output(output, error)
+   end subroutine write_file
+#endif
 
 end module kyvadlo_fit_command

@@ -58,8 +58,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(minimum_type) :: minimum
       real(wp), allocatable :: others(:, :, :)
-      integer :: i, j, k, lines
-      character(len=:), allocatable :: text
+      integer :: k
 
       result%known = ''
       call check_fit(request, data, error)
@@ -74,14 +73,8 @@ contains
             //' unknowns leave no degree of freedom')
          return
       end if
-      if (.not. result%model%motion%is_exact .and. size(result%model%times) > 0) then
-         if (result%model%times(1) < 0 .and. .not. any(request%free%setting == setting_place(camera_group, &
-            'time_offset'))) then
-            call fail(error, code_input, data%file//':'//integer_text(data%line(1))// &
-               ': t must not be negative where the scene is integrated: it begins at t = 0')
-            return
-         end if
-      end if
+      call check_times(result, request, data, error)
+      if (allocated(error)) return
       call search(result%model, request, .not. any(result%is_estimated), result%x, minimum, others)
       if (.not. minimum%squares < huge(1.0_wp)) then
          call use_until(result%model, huge(1.0_wp), 1)
@@ -95,7 +88,7 @@ contains
       result%is_converged = minimum%is_found
       call find_sigmas(result, request)
       call leave_room(result%model)
-      if (result%is_converged) result%is_converged = .not. explains_nothing(result)
+      if (result%is_converged) result%is_converged = .not. (explains_nothing(result) .or. misses_jumps(result))
       if (.not. result%is_converged) then
          ! Where a search ended is no answer.
          do k = 1, size(result%of)
@@ -103,9 +96,45 @@ contains
             result%of(k)%sigma = quiet_nan_real64
          end do
       end if
-      lines = size(others, 3)
+      call name_others(result, others)
+      call look_at_units(result, data)
+   end subroutine fit_measurements
+
+   !> What t must be for the motion that is asked for.
+   subroutine check_times(result, request, data, error)
+      type(fit_result_type), intent(in) :: result
+      type(fit_request_type), intent(in) :: request
+      type(fit_data_type), intent(in) :: data
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: first, last
+      !> A start as many times before the data as they last is not told by them, and hides the rest.
+      real(wp), parameter :: far = 100
+
+      associate (model => result%model)
+         if (.not. model%motion%is_exact .and. size(model%times) > 0) then
+            if (model%times(1) < 0 .and. .not. any(request%free%setting == setting_place(camera_group, &
+               'time_offset'))) call fail(error, code_input, data%file//':'//integer_text(data%line(1))// &
+               ': t must not be negative where the scene is integrated: it begins at t = 0')
+         end if
+         first = minval(model%all%time, model%all%time > -huge(first))
+         last = maxval(model%all%time)
+         if (allocated(error) .or. .not. (model%motion%is_position_free .or. model%motion%is_velocity_free)) return
+         if (.not. (abs(first) > far*(last - first) .and. last > -huge(last))) return
+         call fail(error, code_input, data%file//':'//integer_text(data%line(1))//': t begins at '// &
+            digits_text(first, 7)//' s, and the data last '//digits_text(last - first, 3)// &
+            ' s: position and velocity are those at t = 0; count t from near the first row')
+      end associate
+   end subroutine check_times
+
+   !> Other minima as texts.
+   subroutine name_others(result, others)
+      type(fit_result_type), intent(inout) :: result
+      real(wp), intent(in) :: others(:, :, :)
+      character(len=:), allocatable :: text
+      integer :: i, j, k
+
       allocate (result%others(0))
-      do k = 1, lines
+      do k = 1, size(others, 3)
          text = ''
          do i = 1, size(result%of)
             associate (one => result%of(i))
@@ -118,8 +147,18 @@ contains
          end do
          call append(result%others, text(:len(text) - 2))
       end do
-      call look_at_units(result, data)
-   end subroutine fit_measurements
+   end subroutine name_others
+
+   !> Whether `plane` alone was to tell the start and is not explained: it jumps from one highest point to the next,
+   !> where nothing has a slope, and a search may end with jumps at wrong times.
+   pure logical function misses_jumps(result) result(does)
+      type(fit_result_type), intent(in) :: result
+
+      associate (m => result%model)
+         does = (m%motion%is_position_free .or. m%motion%is_velocity_free) .and. all(m%all%column == column_plane) &
+            .and. .not. any(result%is_estimated) .and. result%chi2 > result%dof + 6*sqrt(2.0_wp*result%dof)
+      end associate
+   end function misses_jumps
 
    !> From x on: with the delays of times that have errors, and the sigmas that are estimated, until they stay.
    subroutine refit(result, minimum)
@@ -297,13 +336,16 @@ contains
          (gravity > 100 .or. gravity < 0.1_wp)) then
          call note('gravity fits at '//digits_text(gravity, 7)//' m/s2: are the data in metres and seconds?')
       end if
+      if (.not. result%is_converged .and. all(result%model%all%column == column_plane)) call note( &
+         'plane alone tells how fast the line of apsides turns, and the rest only by its jumps: give another '// &
+         'column, or a start near the true one')
       if (size(result%model%times) < 2) return
       associate (t => result%model%times)
          gap = minval(t(2:) - t(:size(t) - 1))
          period = 2*acos(-1.0_wp)*sqrt(length/gravity)
          if (3*gap > period .and. maxval(t(2:) - t(:size(t) - 1)) < 1.01_wp*gap) call note( &
             'rows at equal intervals, fewer than three a period, do not tell a frequency from its aliases: the '// &
-            'lowest was looked for first')
+            'lowest was looked for first (is t in seconds?)')
       end associate
 
    contains

@@ -4,7 +4,7 @@ module kyvadlo_fit_guess
    use kyvadlo_fit_guess_direct, only: guess_by_plane, guess_by_polynomials
    use kyvadlo_fit_guess_list, only: guess_type, insert, start_of, view_type
    use kyvadlo_kinds, only: wp => real64
-   use kyvadlo_orbit_real64, only: new_orbit_from_heights, orbit_type
+   use kyvadlo_orbit_real64, only: new_orbit_from_energy_above_top, new_orbit_from_heights, orbit_type
    use kyvadlo_status, only: error_type
    implicit none
    private
@@ -109,11 +109,13 @@ contains
          120.0_wp, 135.0_wp, 150.0_wp, 163.0_wp, 173.0_wp]
       real(wp), parameter :: parts(*) = [0.005_wp, 0.15_wp, 0.35_wp, 0.55_wp, 0.75_wp, 0.95_wp]
       real(wp), parameter :: nearby(*) = [1.0_wp, 0.94_wp, 1.06_wp]
-      real(wp) :: peaks(3), rate, upper, lower, rates(30)
+      !> Energies over that of rest at the top, in g l: a swing in a plane may go over it.
+      real(wp), parameter :: above(*) = [0.02_wp, 0.1_wp, 0.3_wp, 1.0_wp, 3.0_wp, 10.0_wp]
+      real(wp) :: peaks(3), upper, lower, rates(30)
       real(wp), allocatable :: columns(:, :), position(:, :), at(:)
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
-      integer :: found, i, j, k, l, p, n, m, tries, phases, most_alike
+      integer :: found, i, j, k, n, m, tries, phases, most_alike
 
       n = size(view%times)
       count = 0
@@ -124,6 +126,13 @@ contains
          m = m + 1
          columns(:, m) = view%seen(:, j)
       end do
+      if (view%is_angle) then
+         if (goes_over_the_top(view%seen(:, 1))) then
+            columns(:, 2) = cos(columns(:, 1))
+            columns(:, 1) = sin(columns(:, 1))
+            m = 2
+         end if
+      end if
       call frequency_peaks(view%times, columns(:, :m), peaks, found)
       if (level == 1 .and. all(view%has)) call guess_by_polynomials(view, peaks(:found), guesses, count)
       if (level == 1) return
@@ -136,33 +145,51 @@ contains
             upper = -cos(highest(i)*pi/180)
             lower = -cos(parts(j)*min(highest(i), 180 - highest(i))*pi/180)
             call new_orbit_from_heights(orbit, 1.0_wp, 1.0_wp, upper, lower, error)
-            if (allocated(error)) cycle
-            tries = 0
-            if (view%length > 0 .and. view%gravity > 0) then
-               tries = 1
-               rates(1) = sqrt(view%gravity/view%length)
-            else
-               do k = 1, merge(min(found, 2), found, level == 2)
-                  do l = 1, merge(1, size(nearby), level == 2)
-                     ! The strongest line is that of the mean azimuth, or of the height.
-                     rates(tries + 1) = 2*pi*peaks(k)*nearby(l)/(orbit%azimuth_per_period()/orbit%period())
-                     rates(tries + 2) = peaks(k)*nearby(l)*orbit%period()
-                     tries = tries + 2
-                  end do
-               end do
-            end if
-            do k = 1, tries
-               rate = rates(k)
-               do p = 0, phases - 1
-                  at = rate*(view%times - view%times(1)) + orbit%period()*p/phases
-                  call orbit%locate(at, position)
-                  call compare(view, orbit, rate, orbit%period()*p/phases - rate*view%times(1), position, &
-                     most_alike, guesses, count)
-               end do
-            end do
+            if (.not. allocated(error)) call try_shape()
          end do
       end do
+      do i = 1, merge(size(above), 0, view%is_plane)
+         call new_orbit_from_energy_above_top(orbit, 1.0_wp, 1.0_wp, above(i), 0.0_wp, error)
+         if (.not. allocated(error)) call try_shape()
+      end do
+
+   contains
+
+      !> Its period follows from the lines of the periodogram, its phase is tried.
+      subroutine try_shape()
+         integer :: l, p
+
+         tries = 0
+         if (view%length > 0 .and. view%gravity > 0) then
+            tries = 1
+            rates(1) = sqrt(view%gravity/view%length)
+         else
+            do k = 1, merge(min(found, 2), found, level == 2)
+               do l = 1, merge(1, size(nearby), level == 2)
+                  ! The strongest line is that of the mean azimuth, or of the height.
+                  rates(tries + 1) = 2*pi*peaks(k)*nearby(l)/(orbit%azimuth_per_period()/orbit%period())
+                  rates(tries + 2) = peaks(k)*nearby(l)*orbit%period()
+                  tries = tries + 2
+               end do
+            end do
+         end if
+         do k = 1, tries
+            do p = 0, phases - 1
+               at = rates(k)*(view%times - view%times(1)) + orbit%period()*p/phases
+               call orbit%locate(at, position)
+               call compare(view, orbit, rates(k), orbit%period()*p/phases - rates(k)*view%times(1), position, &
+                  most_alike, guesses, count)
+            end do
+         end do
+      end subroutine try_shape
    end subroutine find_guesses
+
+   !> Whether an angle goes around, be it counted on or back by a turn.
+   pure logical function goes_over_the_top(angle) result(does)
+      real(wp), intent(in) :: angle(:)
+
+      does = maxval(angle) - minval(angle) > 2*pi .or. any(abs(angle(2:) - angle(:size(angle) - 1)) > 1.2_wp*pi)
+   end function goes_over_the_top
 
    !> Fits turn, size, camera and sense of rotation to the unit motion, and keeps the best.
    subroutine compare(view, orbit, rate, phase, position, most_alike, guesses, count)
@@ -200,6 +227,8 @@ contains
       do sense = 1, senses
          do turn = 0, turns - 1
             across = 2*pi*turn/turns
+            ! What goes over the top does so in the y-z plane.
+            if (view%is_plane .and. orbit%energy() > 1) across = across + pi/2
             shift = 0
             if (view%is_camera .or. all(view%has(1:2))) then
                ! w may be turned and stretched, d = factor w + shift.

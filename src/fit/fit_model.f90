@@ -22,151 +22,203 @@ module kyvadlo_fit_model
       procedure :: evaluate => evaluate_model
    end type model_type
 
+   !> What the unknowns say before a state is found, and which measurements in use are in hand: whole rows.
+   type :: outlook_type
+      type(physics_type) :: physics
+      type(direction_type), allocatable :: directions(:)
+      type(camera_type) :: camera
+      real(wp), allocatable :: slopes(:)                  !! Of the numbers of unknowns that are scalars
+      integer, allocatable :: parts(:)                    !! Of the camera, that the unknowns are
+      real(wp), allocatable :: times(:)
+      logical :: is_moved = .false.                       !! What is seen is not the state itself
+      integer :: first = 1, last = 0                      !! In hand
+      integer :: before = 0                               !! Times before theirs
+   end type outlook_type
+
+   !> Measurements in hand at once, where the closed form answers: their derivatives stay in the cache.
+   integer, parameter :: block = 3000
+
 contains
 
-   !> What the model says of the measurements in use, in their units, with derivatives.
-   subroutine predict(model, x, h, failed, rates, derivatives)
+   !> What the model says of the measurements in use, in their units, and its rates with time.
+   subroutine predict(model, x, h, failed, rates)
       class(model_type), intent(inout) :: model
       real(wp), intent(in) :: x(:)
       real(wp), intent(out) :: h(:)                       !! (used)
       logical, intent(out) :: failed
-      real(wp), intent(out) :: rates(:)                   !! (used) with time
-      real(wp), intent(out), optional, contiguous :: derivatives(:, :) !! (unknowns, used)
-      real(wp) :: number(3, size(settings)), slopes(size(x))
-      type(physics_type) :: physics
-      type(direction_type) :: directions(size(x))
-      type(camera_type) :: camera
-      real(wp), allocatable :: times(:)
-      integer :: k, parts(size(x))
-      logical :: is_moved
+      real(wp), intent(inout) :: rates(:)                 !! (used); of events and periods as they are
+      type(outlook_type) :: outlook
 
-      call physics_at(model%motion, x, number, physics, failed, directions)
+      call look_from(model, x, outlook, failed)
       if (failed) return
-      parts = 0
-      do k = 1, size(x)
-         associate (one => model%motion%of(k))
-            if (one%setting == setting_place(camera_group, 'scale')) parts(k) = camera_scale
-            if (one%setting == setting_place(camera_group, 'angle')) parts(k) = camera_angle
-            if (one%setting == setting_place(camera_group, 'offset')) parts(k) = camera_offset + one%element - 1
-         end associate
-      end do
-      call numbers_at(model%motion, x, number, slopes)
-      call camera_at(model%motion, number, camera)
-      times = model%times + camera%time_offset
-      if (allocated(model%delay)) times = times + model%delay(model_rows(model))
-      if (.not. physics%is_exact .and. size(times) > 0) then
-         failed = times(1) < 0
-         if (failed) return
-      end if
-      is_moved = is_seen_otherwise(physics, directions)
-      call make_room(model, size(x), merge(6, 3, is_moved .or. model%has_forces), present(derivatives))
-      if (present(derivatives)) then
-         call model%find_states(physics, directions, times, model%states, failed, model%matrices)
-      else
-         call model%find_states(physics, directions, times, model%states, failed)
-      end if
-      if (failed) return
-      ! An absent array is not handed on: gfortran would form its bounds from what its descriptor never held.
-      ! Forces act relative to the pivot and in resting axes.
-      if (model%has_forces .and. present(derivatives)) then
-         call predict_forces(model, physics, directions, times, h, rates, derivatives)
-      else if (model%has_forces) then
-         call predict_forces(model, physics, directions, times, h, rates)
-      end if
-      if (is_moved) then
-         do k = 1, size(times)
-            if (present(derivatives)) then
-               call show(physics, directions, times(k), model%states(:, k), model%matrices(:, :, k))
-            else
-               call show(physics, directions, times(k), model%states(:, k))
-            end if
-         end do
-      end if
-      if (present(derivatives)) then
-         call predict_places(model, physics, camera, parts, slopes, h, rates, derivatives)
-      else
-         call predict_places(model, physics, camera, parts, slopes, h, rates)
-      end if
-      if (model%has_events .and. present(derivatives)) then
-         call predict_events(model, physics, directions, h, rates, failed, derivatives)
-      else if (model%has_events) then
-         call predict_events(model, physics, directions, h, rates, failed)
-      end if
-      if (failed .or. .not. model%has_periods) return
-      do k = 1, size(model%used)
-         associate (one => model%all(model%used(k)))
-            if (one%column /= column_period) cycle
-            if (present(derivatives)) then
-               call period_of(physics, directions, one%amplitude, h(k), derivatives(:, k))
-            else
-               call period_of(physics, directions, one%amplitude, h(k))
-            end if
-         end associate
-      end do
+      outlook%last = size(model%used)
+      call predict_rows(model, outlook, h, rates, failed)
    end subroutine predict
 
-   !> Tension and plane, of states relative to the pivot and in resting axes.
-   subroutine predict_forces(model, physics, directions, times, h, rates, derivatives)
+   subroutine look_from(model, x, outlook, failed)
       class(model_type), intent(in) :: model
-      type(physics_type), intent(in) :: physics
-      type(direction_type), intent(in) :: directions(:)
-      real(wp), intent(in) :: times(:)
+      real(wp), intent(in) :: x(:)
+      type(outlook_type), intent(out) :: outlook
+      logical, intent(out) :: failed
+      real(wp) :: number(3, size(settings))
+      integer :: k
+
+      allocate (outlook%directions(size(x)), outlook%slopes(size(x)), outlook%parts(size(x)))
+      call physics_at(model%motion, x, number, outlook%physics, failed, outlook%directions)
+      if (failed) return
+      outlook%parts = 0
+      do k = 1, size(x)
+         associate (one => model%motion%of(k), part => outlook%parts(k))
+            if (settings(one%setting)%group /= camera_group) cycle
+            if (one%setting == setting_place(camera_group, 'scale')) part = camera_scale
+            if (one%setting == setting_place(camera_group, 'angle')) part = camera_angle
+            if (one%setting == setting_place(camera_group, 'offset')) part = camera_offset + one%element - 1
+         end associate
+      end do
+      call numbers_at(model%motion, x, number, outlook%slopes)
+      call camera_at(model%motion, number, outlook%camera)
+      outlook%times = model%times + outlook%camera%time_offset
+      if (allocated(model%delay)) outlook%times = outlook%times + model%delay(model_rows(model))
+      if (.not. outlook%physics%is_exact .and. size(outlook%times) > 0) failed = outlook%times(1) < 0
+      outlook%is_moved = is_seen_otherwise(outlook%physics, outlook%directions)
+   end subroutine look_from
+
+   !> The next measurements to take in hand.
+   subroutine take_next(model, outlook)
+      class(model_type), intent(in) :: model
+      type(outlook_type), intent(inout) :: outlook
+      integer :: n
+
+      n = size(model%used)
+      outlook%first = outlook%last + 1
+      outlook%last = n
+      if (.not. outlook%physics%is_exact .or. model%has_events .or. model%has_periods) return
+      outlook%before = model%all(model%used(outlook%first))%time_place - 1
+      outlook%last = min(n, outlook%first + block - 1)
+      do while (outlook%last < n)
+         if (model%all(model%used(outlook%last + 1))%row /= model%all(model%used(outlook%last))%row) exit
+         outlook%last = outlook%last + 1
+      end do
+   end subroutine take_next
+
+   !> Of the measurements in hand, with derivatives.
+   subroutine predict_rows(model, outlook, h, rates, failed, derivatives)
+      class(model_type), intent(inout) :: model
+      type(outlook_type), intent(in) :: outlook
+      real(wp), intent(inout) :: h(:), rates(:)           !! (used)
+      logical, intent(out) :: failed
+      real(wp), intent(inout), optional, contiguous :: derivatives(:, :) !! (unknowns, used)
+      integer :: k, m
+
+      m = size(outlook%times) - outlook%before
+      if (outlook%last < size(model%used)) m = model%all(model%used(outlook%last))%time_place - outlook%before
+      associate (physics => outlook%physics, directions => outlook%directions, &
+            times => outlook%times(outlook%before + 1:outlook%before + m))
+         call make_room(model, m, size(directions), merge(6, 3, outlook%is_moved .or. model%has_forces), &
+            present(derivatives))
+         ! An absent array is not handed on: gfortran would form its bounds from what its descriptor never held.
+         if (present(derivatives)) then
+            call model%find_states(physics, directions, times, model%states(:, :m), failed, model%matrices(:, :, :m))
+         else
+            call model%find_states(physics, directions, times, model%states(:, :m), failed)
+         end if
+         if (failed) return
+         ! Forces act relative to the pivot and in resting axes.
+         if (model%has_forces .and. present(derivatives)) then
+            call predict_forces(model, outlook, h, rates, derivatives)
+         else if (model%has_forces) then
+            call predict_forces(model, outlook, h, rates)
+         end if
+         if (outlook%is_moved) then
+            do k = 1, m
+               if (present(derivatives)) then
+                  call show(physics, directions, times(k), model%states(:, k), model%matrices(:, :, k))
+               else
+                  call show(physics, directions, times(k), model%states(:, k))
+               end if
+            end do
+         end if
+         if (present(derivatives)) then
+            call predict_places(model, outlook, h, rates, derivatives)
+         else
+            call predict_places(model, outlook, h, rates)
+         end if
+         if (model%has_events .and. present(derivatives)) then
+            call predict_events(model, physics, directions, h, rates, failed, derivatives)
+         else if (model%has_events) then
+            call predict_events(model, physics, directions, h, rates, failed)
+         end if
+         if (failed .or. .not. model%has_periods) return
+         do k = outlook%first, outlook%last
+            associate (one => model%all(model%used(k)))
+               if (one%column /= column_period) cycle
+               if (present(derivatives)) then
+                  call period_of(physics, directions, one%amplitude, h(k), derivatives(:, k))
+               else
+                  call period_of(physics, directions, one%amplitude, h(k))
+               end if
+            end associate
+         end do
+      end associate
+   end subroutine predict_rows
+
+   !> Tension and plane, of states relative to the pivot and in resting axes.
+   subroutine predict_forces(model, outlook, h, rates, derivatives)
+      class(model_type), intent(in) :: model
+      type(outlook_type), intent(in) :: outlook
       real(wp), intent(inout) :: h(:), rates(:)
       real(wp), intent(inout), optional :: derivatives(:, :)
       integer :: i, k
 
-      do i = 1, size(model%used)
-         associate (one => model%all(model%used(i)))
+      do i = outlook%first, outlook%last
+         associate (one => model%all(model%used(i)), physics => outlook%physics, directions => outlook%directions)
             if (one%column /= column_tension .and. one%column /= column_plane) cycle
-            k = one%time_place
+            k = one%time_place - outlook%before
             if (present(derivatives)) then
-               call observe_moved(one%column, one%value, physics, directions, times(k), model%states(:, k), h(i), &
-                  rates(i), model%matrices(:, :, k), derivatives(:, i))
+               call observe_moved(one%column, one%value, physics, directions, outlook%times(one%time_place), &
+                  model%states(:, k), h(i), rates(i), model%matrices(:, :, k), derivatives(:, i))
             else
-               call observe_moved(one%column, one%value, physics, directions, times(k), model%states(:, k), h(i), &
-                  rates(i))
+               call observe_moved(one%column, one%value, physics, directions, outlook%times(one%time_place), &
+                  model%states(:, k), h(i), rates(i))
             end if
          end associate
       end do
    end subroutine predict_forces
 
    !> What is seen of the states, and what a shift of the times does to all that has one.
-   subroutine predict_places(model, physics, camera, parts, slopes, h, rates, derivatives)
+   subroutine predict_places(model, outlook, h, rates, derivatives)
       class(model_type), intent(in) :: model
-      type(physics_type), intent(in) :: physics
-      type(camera_type), intent(in) :: camera
-      integer, intent(in) :: parts(:)
-      real(wp), intent(in) :: slopes(:)
+      type(outlook_type), intent(in) :: outlook
       real(wp), intent(inout) :: h(:), rates(:)
       real(wp), intent(inout), optional, contiguous :: derivatives(:, :)
       integer :: i, j, k
 
-      do i = 1, size(model%used)
+      do i = outlook%first, outlook%last
          associate (one => model%all(model%used(i)))
-            k = one%time_place
-            if (k == 0 .or. one%column == column_tension .or. one%column == column_plane) cycle
+            if (one%time_place == 0 .or. one%column == column_tension .or. one%column == column_plane) cycle
+            k = one%time_place - outlook%before
             if (one%column <= column_z) then
                h(i) = model%states(one%column, k)
                rates(i) = model%states(one%column + 3, k)
                if (.not. present(derivatives)) cycle
-               do j = 1, size(slopes)
+               do j = 1, size(outlook%slopes)
                   derivatives(j, i) = model%matrices(one%column, j, k)
                end do
             else if (present(derivatives)) then
-               call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
-                  model%states(:, k), h(i), rates(i), model%matrices(:, :, k), derivatives(:, i))
+               call observe(outlook%parts, model%axes, one%column, one%value, outlook%physics%length, outlook%slopes, &
+                  outlook%camera, model%states(:, k), h(i), rates(i), model%matrices(:, :, k), derivatives(:, i))
             else
-               call observe(parts, model%axes, one%column, one%value, physics%length, slopes, camera, &
-                  model%states(:, k), h(i), rates(i))
+               call observe(outlook%parts, model%axes, one%column, one%value, outlook%physics%length, outlook%slopes, &
+                  outlook%camera, model%states(:, k), h(i), rates(i))
             end if
          end associate
       end do
       if (.not. present(derivatives)) return
-      do k = 1, size(slopes)
+      do k = 1, size(outlook%slopes)
          if (model%motion%of(k)%setting /= setting_place(camera_group, 'time_offset')) cycle
-         do i = 1, size(model%used)
+         do i = outlook%first, outlook%last
             if (model%all(model%used(i))%time_place > 0) &
-               derivatives(k, i) = derivatives(k, i) + rates(i)*slopes(k)
+               derivatives(k, i) = derivatives(k, i) + rates(i)*outlook%slopes(k)
          end do
       end do
    end subroutine predict_places
@@ -247,10 +299,12 @@ contains
       logical, intent(out) :: failed
       real(wp), intent(out), optional, contiguous :: jacobian(:, :)
       real(wp), allocatable :: h(:), rates(:)
-      real(wp) :: weight
-      integer :: i, n, j, k
+      type(outlook_type) :: outlook
+      integer :: n, j, k
 
       n = size(problem%used)
+      call look_from(problem, x, outlook, failed)
+      if (failed) return
       call move_alloc(problem%h, h)
       call move_alloc(problem%rates, rates)
       if (allocated(h)) then
@@ -258,48 +312,24 @@ contains
       end if
       if (.not. allocated(h)) allocate (h(n), rates(n))
       rates = 0
-      if (present(jacobian)) then
-         call predict(problem, x, h, failed, rates, jacobian(:, :n))
-      else
-         call predict(problem, x, h, failed, rates)
-      end if
-      if (failed) return
-      do i = 1, n
-         associate (one => problem%all(problem%used(i)))
-            f(i) = (h(i) - one%value)/one%sigma
-            if (present(jacobian)) then
-               weight = 1/one%sigma
-               do j = 1, size(x)
-                  jacobian(j, i) = jacobian(j, i)*weight
-               end do
-            end if
-            if (one%column == column_period .and. one%amplitude_sigma > 0) call widen(i, one%amplitude_sigma* &
-               (unit_period(one%amplitude + 1e-5_wp) - unit_period(one%amplitude - 1e-5_wp))/2e-5_wp*h(i)/ &
-               unit_period(one%amplitude)/one%sigma)
-         end associate
-      end do
-      if (allocated(problem%time_sigma)) then
+      do while (outlook%last < n)
+         call take_next(problem, outlook)
          if (present(jacobian)) then
-            call allow_for_time(problem, f, rates, jacobian)
+            call predict_rows(problem, outlook, h, rates, failed, jacobian)
+            if (.not. failed) call weigh_rows(problem, outlook, h, rates, f, failed, jacobian)
          else
-            call allow_for_time(problem, f, rates)
+            call predict_rows(problem, outlook, h, rates, failed)
+            if (.not. failed) call weigh_rows(problem, outlook, h, rates, f, failed)
          end if
-      end if
-      if (problem%loss /= loss_squares) then
-         do i = 1, n
-            if (present(jacobian)) then
-               call soften(problem%loss, problem%loss_scale, f(i), jacobian(:, i))
-            else
-               call soften(problem%loss, problem%loss_scale, f(i))
-            end if
-         end do
-      end if
+         if (failed) return
+      end do
       k = n
       if (allocated(problem%prior)) then
          do j = 1, size(problem%prior)
             k = k + 1
             if (present(jacobian)) then
                call add_prior(problem, x, j, f(k), k, jacobian)
+               failed = failed .or. .not. all(abs(jacobian(:, k)) <= huge(1.0_wp))
             else
                call add_prior(problem, x, j, f(k), k)
             end if
@@ -315,23 +345,57 @@ contains
             end if
          end do
       end if
-      if (present(jacobian)) failed = .not. all(abs(jacobian) <= huge(1.0_wp))
       if (present(jacobian)) problem%outward = outward_slopes(problem%motion, x)
       call move_alloc(h, problem%h)
       call move_alloc(rates, problem%rates)
-
-   contains
-
-      subroutine widen(i, more)
-         integer, intent(in) :: i
-         real(wp), intent(in) :: more
-         real(wp) :: factor
-
-         factor = 1/sqrt(1 + more**2)
-         f(i) = f(i)*factor
-         if (present(jacobian)) jacobian(:, i) = jacobian(:, i)*factor
-      end subroutine widen
    end subroutine evaluate_model
+
+   !> Of the measurements in hand residuals in sigmas, after errors of t and the loss. Fails where derivatives are not
+   !> finite.
+   subroutine weigh_rows(model, outlook, h, rates, f, failed, jacobian)
+      class(model_type), intent(in) :: model
+      type(outlook_type), intent(in) :: outlook
+      real(wp), intent(in) :: h(:), rates(:)
+      real(wp), intent(inout) :: f(:)
+      logical, intent(out) :: failed
+      real(wp), intent(inout), optional, contiguous :: jacobian(:, :)
+      real(wp) :: weight, total
+      integer :: i, j
+
+      total = 0
+      do i = outlook%first, outlook%last
+         associate (one => model%all(model%used(i)))
+            weight = 1/one%sigma
+            if (one%column == column_period .and. one%amplitude_sigma > 0) weight = weight/sqrt(1 + ( &
+               one%amplitude_sigma*(unit_period(one%amplitude + 1e-5_wp) - unit_period(one%amplitude - 1e-5_wp))/ &
+               2e-5_wp*h(i)/unit_period(one%amplitude)/one%sigma)**2)
+            f(i) = (h(i) - one%value)*weight
+         end associate
+         if (.not. present(jacobian)) cycle
+         do j = 1, size(jacobian, 1)
+            jacobian(j, i) = jacobian(j, i)*weight
+            total = total + abs(jacobian(j, i))
+         end do
+      end do
+      failed = .not. total <= huge(total)
+      if (failed) return
+      if (allocated(model%time_sigma)) then
+         if (present(jacobian)) then
+            call allow_for_time(model, outlook, f, rates, jacobian)
+         else
+            call allow_for_time(model, outlook, f, rates)
+         end if
+      end if
+      if (model%loss /= loss_squares) then
+         do i = outlook%first, outlook%last
+            if (present(jacobian)) then
+               call soften(model%loss, model%loss_scale, f(i), jacobian(:, i))
+            else
+               call soften(model%loss, model%loss_scale, f(i))
+            end if
+         end do
+      end if
+   end subroutine weigh_rows
 
    subroutine add_prior(problem, x, j, f, k, jacobian)
       class(model_type), intent(in) :: problem
@@ -362,27 +426,27 @@ contains
    end subroutine add_prior
 
    !> The errors of t, row by row.
-   subroutine allow_for_time(problem, f, rates, jacobian)
-      class(model_type), intent(in) :: problem
+   subroutine allow_for_time(model, outlook, f, rates, jacobian)
+      class(model_type), intent(in) :: model
+      type(outlook_type), intent(in) :: outlook
       real(wp), intent(inout) :: f(:)
       real(wp), intent(in) :: rates(:)
       real(wp), intent(inout), optional, contiguous :: jacobian(:, :)
       real(wp) :: a(columns)
-      integer :: i, first, n
+      integer :: i, first
 
-      i = 1
-      n = size(problem%used)
-      do while (i <= n)
+      i = outlook%first
+      do while (i <= outlook%last)
          first = i
-         do while (i <= n)
-            if (problem%all(problem%used(i))%row /= problem%all(problem%used(first))%row) exit
+         do while (i <= outlook%last)
+            if (model%all(model%used(i))%row /= model%all(model%used(first))%row) exit
             i = i + 1
          end do
-         if (problem%all(problem%used(first))%time_place == 0) cycle
-         associate (s => problem%time_sigma(problem%all(problem%used(first))%row), last => i - 1, &
-               delay => problem%delay(problem%all(problem%used(first))%row))
+         if (model%all(model%used(first))%time_place == 0) cycle
+         associate (s => model%time_sigma(model%all(model%used(first))%row), last => i - 1, &
+               delay => model%delay(model%all(model%used(first))%row))
             if (.not. s > 0) cycle
-            a(:last - first + 1) = rates(first:last)*s/problem%all(problem%used(first:last))%sigma
+            a(:last - first + 1) = rates(first:last)*s/model%all(model%used(first:last))%sigma
             if (present(jacobian)) then
                call allow_for_row(a(:last - first + 1), delay/s, f(first:last), jacobian(:, first:last))
             else

@@ -1,6 +1,5 @@
 !> The motion of a fit with its derivatives along given changes of the numbers that determine it, in closed form or by
-!> the
-!> variational equations.
+!> the variational equations.
 module kyvadlo_fit_motion
    use kyvadlo_derivatives_real64, only: derivatives_type, new_derivatives_from_state
    use kyvadlo_fit_physics, only: direction_type, gravity_felt, physics_type
@@ -54,27 +53,47 @@ contains
       type(derivatives_type) :: derivatives
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
-      integer, parameter :: block = 64
-      real(wp) :: weights(8, size(directions)), felt, r, a, dr, da, w
-      real(wp) :: position(3, block), velocity(3, block), columns(6, 8, block)
-      integer :: entries(8, size(directions)), filled(size(directions)), c, i, j, k, n, at
+      integer, parameter :: block = 256
+      real(wp) :: weights(8, size(directions)), felt, position(3, block), velocity(3, block)
+      real(wp), allocatable :: changes(:, :, :)
+      integer, allocatable :: wanted(:)
+      integer :: c, i, n
 
       felt = gravity_felt(physics)
-      if (.not. present(matrices)) then
+      if (present(matrices)) then
+         call new_derivatives_from_state(derivatives, physics%length, felt, physics%position, physics%velocity, error)
+      else
          call new_orbit_from_state(orbit, physics%length, felt, physics%position, physics%velocity, error)
-         failed = allocated(error)
-         if (failed) return
-         do i = 1, size(times), block
-            n = min(block, size(times) - i + 1)
-            call orbit%locate(times(i:i + n - 1), position(:, :n), velocity(:, :n))
-            states(1:3, i:i + n - 1) = position(:, :n)
-            states(4:6, i:i + n - 1) = velocity(:, :n)
-         end do
-         return
       end if
-      call new_derivatives_from_state(derivatives, physics%length, felt, physics%position, physics%velocity, error)
       failed = allocated(error)
       if (failed) return
+      if (present(matrices)) then
+         call weigh_columns(physics, directions, weights)
+         wanted = pack([(c, c=1, 8)], any(abs(weights) > 0, 2))
+         allocate (changes(6, size(wanted), block))
+      end if
+      do i = 1, size(times), block
+         n = min(block, size(times) - i + 1)
+         if (present(matrices)) then
+            call derivatives%evaluate(times(i:i + n - 1), position(:, :n), velocity(:, :n), changes(:, :, :n), wanted)
+            call combine(size(wanted), size(directions), size(matrices, 1), n, changes, weights(wanted, :), &
+               matrices(:, :, i:i + n - 1))
+         else
+            call orbit%locate(times(i:i + n - 1), position(:, :n), velocity(:, :n))
+         end if
+         states(1:3, i:i + n - 1) = position(:, :n)
+         states(4:6, i:i + n - 1) = velocity(:, :n)
+      end do
+   end subroutine exact_states
+
+   !> What of the columns of position, velocity, length and gravity felt makes up each direction.
+   pure subroutine weigh_columns(physics, directions, weights)
+      type(physics_type), intent(in) :: physics
+      type(direction_type), intent(in) :: directions(:)
+      real(wp), intent(out) :: weights(:, :)             !! (8, p)
+      real(wp) :: r, a, dr, da
+      integer :: j
+
       r = physics%effects%density_ratio
       a = physics%effects%added_mass
       do j = 1, size(directions)
@@ -84,36 +103,46 @@ contains
             weights(:, j) = [change%position, change%velocity, change%length, change%gravity*(1 - r)/(1 + a*r) &
                + physics%gravity*(-dr*(1 + a*r) - (1 - r)*(da*r + a*dr))/(1 + a*r)**2]
          end associate
-         ! Most are zero.
-         filled(j) = 0
-         do c = 1, 8
+      end do
+   end subroutine weigh_columns
+
+   !> Changes along the directions, of positions alone or with the velocities. Most weights are zero.
+   pure subroutine combine(columns, directions, rows, times, changes, weights, matrices)
+      integer, intent(in) :: columns, directions, times
+      integer, intent(in) :: rows                                !! 3 or 6
+      real(wp), intent(in) :: changes(6, columns, times), weights(columns, directions)
+      real(wp), intent(out) :: matrices(rows, directions, times)
+      real(wp) :: filled(columns, directions), x, y, z
+      integer :: entries(columns, directions), count(directions), c, e, first, j, k
+
+      count = 0
+      do j = 1, directions
+         do c = 1, columns
             if (.not. abs(weights(c, j)) > 0) cycle
-            filled(j) = filled(j) + 1
-            entries(filled(j), j) = c
+            count(j) = count(j) + 1
+            entries(count(j), j) = c
+            filled(count(j), j) = weights(c, j)
          end do
       end do
-      do i = 1, size(times), block
-         n = min(block, size(times) - i + 1)
-         call derivatives%evaluate(times(i:i + n - 1), position(:, :n), velocity(:, :n), columns(:, :, :n), &
-            [1, 2, 3, 4, 5, 6, 7, 8])
-         do k = 1, n
-            at = i + k - 1
-            states(1:3, at) = position(:, k)
-            states(4:6, at) = velocity(:, k)
-            do j = 1, size(directions)
-               matrices(:, j, at) = 0
-               do c = 1, filled(j)
-                  w = weights(entries(c, j), j)
-                  matrices(1, j, at) = matrices(1, j, at) + w*columns(1, entries(c, j), k)
-                  matrices(2, j, at) = matrices(2, j, at) + w*columns(2, entries(c, j), k)
-                  matrices(3, j, at) = matrices(3, j, at) + w*columns(3, entries(c, j), k)
-                  if (size(matrices, 1) == 3) cycle
-                  matrices(4:6, j, at) = matrices(4:6, j, at) + w*columns(4:6, entries(c, j), k)
+      do first = 1, rows, 3
+         do k = 1, times
+            do j = 1, directions
+               x = 0
+               y = 0
+               z = 0
+               do e = 1, count(j)
+                  c = entries(e, j)
+                  x = x + filled(e, j)*changes(first, c, k)
+                  y = y + filled(e, j)*changes(first + 1, c, k)
+                  z = z + filled(e, j)*changes(first + 2, c, k)
                end do
+               matrices(first, j, k) = x
+               matrices(first + 1, j, k) = y
+               matrices(first + 2, j, k) = z
             end do
          end do
       end do
-   end subroutine exact_states
+   end subroutine combine
 
    subroutine integrated_states(physics, directions, times, states, failed, matrices)
       type(physics_type), intent(in) :: physics
@@ -141,9 +170,8 @@ contains
       else
          call new_integration(run, physics%effects, physics%length, physics%gravity, physics%position, &
             physics%velocity, physics%tolerance, error, with_work=.false., most_steps=most_steps)
-         if (.not. allocated(error)) call run%advance(times, positions, velocities, tensions, works(:, 1), works(:, &
-            2), &
-            error)
+         if (.not. allocated(error)) call run%advance(times, positions, velocities, tensions, works(:, 1), &
+            works(:, 2), error)
       end if
       call run%finish()
       failed = allocated(error)

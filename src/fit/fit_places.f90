@@ -35,19 +35,18 @@ contains
       type(fit_request_type), intent(in) :: request
       type(fit_data_type), intent(in) :: data
       logical, intent(out) :: is_estimated(:)            !! (column_period)
-      real(wp) :: spread(column_period), unit(columns)
+      real(wp) :: spread(column_period), unit(columns), alone(column_period)
       integer :: i, j, n, k
-      logical :: is_seen(column_period)
 
       unit = 1
       if (request%in_degrees) where (is_angle) unit = degree
       is_estimated = .false.
-      spread = 0
+      alone = 0
       do j = 1, column_period
-         is_seen = [(data%has(i) .and. sigma_groups(i) == sigma_groups(j), i=1, column_period)]
-         do i = 1, column_period
-            if (is_seen(i)) spread(j) = max(spread(j), spread_of(data%value(:data%rows, i))*unit(i))
-         end do
+         if (data%has(j)) alone(j) = spread_of(data%value(:data%rows, j))*unit(j)
+      end do
+      do j = 1, column_period
+         spread(j) = maxval(alone, sigma_groups == sigma_groups(j))
          if (is_event(j) .or. j == column_period) spread(j) = spread(j)/max(data%rows, 1)
          if (.not. spread(j) > 0) spread(j) = 1
       end do
@@ -55,6 +54,7 @@ contains
       n = 0
       do i = 1, data%rows
          do j = 1, column_period
+            if (.not. data%has(j)) cycle
             if (is_nan(data%value(i, j))) cycle
             n = n + 1
             associate (one => model%all(n))
@@ -81,7 +81,7 @@ contains
             end associate
          end do
       end do
-      model%all = model%all(:n)
+      if (n < size(model%all)) model%all = model%all(:n)
       model%is_ascending = all(model%all(2:)%time >= model%all(:n - 1)%time)
       if (data%has_sigma(column_t) .or. request%sigma(column_t) > 0) then
          allocate (model%time_sigma(data%rows), model%delay(data%rows))
@@ -184,13 +184,22 @@ contains
 
    pure real(wp) function spread_of(values)
       real(wp), intent(in) :: values(:)
-      logical :: is_there(size(values))
-      integer :: n
+      real(wp) :: mean
+      integer :: i, n
 
-      is_there = values == values
-      n = count(is_there)
+      n = 0
+      mean = 0
+      do i = 1, size(values)
+         if (.not. abs(values(i)) >= 0) cycle
+         n = n + 1
+         mean = mean + values(i)
+      end do
+      mean = mean/max(n, 1)
       spread_of = 0
-      if (n > 0) spread_of = sqrt(sum((values - sum(values, is_there)/n)**2, is_there)/n)
+      do i = 1, size(values)
+         if (abs(values(i)) >= 0) spread_of = spread_of + (values(i) - mean)**2
+      end do
+      spread_of = sqrt(spread_of/max(n, 1))
    end function spread_of
 
    !> Coefficients of effects that nobody guessed: small ones of the right size.

@@ -1,6 +1,5 @@
 !> The search for the best minimum: guesses from the data or the scene, each followed over longer and longer parts of
-!> the
-!> data, as a start that is right over three periods is right enough for eight.
+!> the data, as a start that is right over three periods is right enough for eight.
 module kyvadlo_fit_search
    use kyvadlo_fit_data
    use kyvadlo_fit_model, only: count_until, model_type, use_until
@@ -15,6 +14,9 @@ module kyvadlo_fit_search
    private
    public :: search, is_still, minimise_all
 
+   !> Of more measurements than `many` about `thin` are taken first.
+   integer, parameter :: many = 3000, thin = 1500
+
 contains
 
    !> The best minimum of all the data. x is around `model%motion`.
@@ -28,11 +30,13 @@ contains
       type(place_type) :: places(most_guesses + 1), kept(2*most_guesses)
       type(minimum_type) :: minimum
       real(wp) :: period, little, variation, hopeless
-      integer :: count, i, j, n_kept, steps, done, begun
+      integer :: count, i, j, k, n_kept, steps, done, begun
+      logical :: is_timed
 
       allocate (x(size(model%motion%of)))
       little = merge(1e-3_wp, 1e-2_wp, has_sigmas)
       variation = variation_of(model)
+      is_timed = all(is_event(model%all%column))
       n_kept = 0
       best%squares = huge(1.0_wp)
       do steps = 1, 4
@@ -53,9 +57,10 @@ contains
                call follow(model, places(i), x, 1, minimum, period)
                places(i)%squares = minimum%squares
                done = i
-               if (begun == 1 .and. looks_good(model, minimum%squares)) exit
+               ! Of events the slowest swing is wanted, which is among them all.
+               if (begun == 1 .and. looks_good(model, minimum%squares) .and. .not. is_timed) exit
             end do
-            call sort(places(begun:done))
+            call rank(places(begun:done), is_timed)
             do i = begun, min(done, begun + 4)
                if (places(i)%squares < huge(1.0_wp)) call try(places(i))
                if (is_done()) exit
@@ -90,6 +95,7 @@ contains
       do steps = 1, n_kept
          if (steps == i .or. kept(steps)%squares > 1.3_wp*kept(i)%squares + 20) cycle
          if (is_same(model%motion, kept(steps)%number, kept(i)%number)) cycle
+         if (any([(is_same(model%motion, kept(steps)%number, others(:, :, k)), k=1, j)])) cycle
          j = j + 1
          others(:, :, j) = kept(steps)%number
       end do
@@ -154,23 +160,36 @@ contains
       end do
    end function variation_of
 
-   !> By squares.
-   subroutine sort(places)
+   !> By squares. A swing twice as fast has all events of one too, and others that were missed: of what explains events
+   !> about as well as the best the slowest comes first.
+   subroutine rank(places, is_timed)
       type(place_type), intent(inout) :: places(:)
+      logical, intent(in) :: is_timed
       type(place_type) :: swap
+      real(wp), parameter :: about = 30
+      real(wp) :: order(size(places)), key
       integer :: i, j
 
+      order = places%squares
+      do i = 1, size(places)
+         if (is_timed .and. places(i)%squares < about*max(minval(places%squares), 1.0_wp)) order(i) = &
+            -places(i)%number(1, setting_place(pendulum_group, 'length'))/places(i)%number(1, &
+            setting_place(pendulum_group, 'gravity'))
+      end do
       do i = 2, size(places)
          swap = places(i)
+         key = order(i)
          j = i - 1
          do while (j >= 1)
-            if (places(j)%squares <= swap%squares) exit
+            if (order(j) <= key) exit
             places(j + 1) = places(j)
+            order(j + 1) = order(j)
             j = j - 1
          end do
          places(j + 1) = swap
+         order(j + 1) = key
       end do
-   end subroutine sort
+   end subroutine rank
 
    logical function is_same(motion, one, other)
       type(unknowns_type), intent(in) :: motion
@@ -220,14 +239,65 @@ contains
       type(minimum_type), intent(out) :: minimum
       real(wp), intent(out) :: period
       real(wp), intent(in), optional :: hopeless            !! A sum of squares a residual with which it is given up
-      real(wp) :: first, last, until, number(3, size(settings)), rates(size(x)), scale, growth
-      logical :: was_exact, is_last
-      integer :: rows, window, timeless
-      integer, parameter :: most_rows = 300
+      real(wp) :: first, last, until, growth, whole
+      logical :: has_leapt
+      integer :: window
+      integer, parameter :: most_windows = 40
 
       model%motion%number = place%number
       period = 2*acos(-1.0_wp)*sqrt(place%number(1, setting_place(pendulum_group, 'length'))/place%number(1, &
          setting_place(pendulum_group, 'gravity')))
+      call first_window(model, size(x), stage, period, first, last, until, growth)
+      ! Events count from the nearest ones, by whatever number of them the motion is late: never leap there.
+      has_leapt = stage == 1 .or. growth < 2
+      whole = part_of(last)
+      do window = 1, most_windows
+         if (stage == 2 .and. (until >= last .or. window == most_windows)) then
+            call begin_last_window(model, x, whole)
+            call finish(model, x, minimum)
+            if (minimum%squares < huge(1.0_wp)) call keep(model, place, x)
+            return
+         end if
+         call search_window(model, place, x, stage, until, part_of(until), minimum)
+         if (present(hopeless)) then
+            if (minimum%squares/max(1, size(model%used)) > hopeless) minimum%squares = huge(1.0_wp)
+         end if
+         if (.not. minimum%squares < huge(1.0_wp)) return
+         call keep(model, place, x)
+         if (stage == 1) return
+         if (.not. has_leapt .and. looks_good(model, minimum%squares)) then
+            ! A frequency that explains some periods to their sigmas is often right for all.
+            has_leapt = .true.
+            call begin_last_window(model, x, whole)
+            call leap(model, x, minimum)
+            if (minimum%is_found) then
+               call keep(model, place, x)
+               return
+            end if
+         end if
+         until = first + growth*(until - first)
+      end do
+
+   contains
+
+      !> Two and a half periods over the time until then, 1 at most.
+      real(wp) function part_of(until) result(part)
+         real(wp), intent(in) :: until
+
+         part = 2.5_wp*period/max(until - first, 2.5_wp*period, tiny(period))
+      end function part_of
+   end subroutine follow
+
+   !> Until when a search begins to look, and how its windows grow.
+   subroutine first_window(model, unknowns, stage, period, first, last, until, growth)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: unknowns, stage
+      real(wp), intent(in) :: period
+      real(wp), intent(out) :: first, last                  !! Times
+      real(wp), intent(out) :: until, growth
+      real(wp) :: scale
+      integer :: rows, timeless
+
       timeless = count_until(model, -huge(first))
       if (model%is_ascending) then
          last = model%all(size(model%all))%time
@@ -237,60 +307,96 @@ contains
          last = maxval(model%all%time)
          if (.not. last > -huge(last)) first = last
       end if
-      was_exact = model%motion%is_exact
-      until = first + 2.5_wp*period
-      if (stage == 2) until = first + 6*period
+      until = first + merge(6.0_wp, 2.5_wp, stage == 2)*period
       ! Enough measurements to say something.
-      scale = 1
-      rows = 4*size(x) + 8
+      rows = 4*unknowns + 8
       growth = 2.7_wp
       if (all(is_event(model%all%column))) then
          ! An amplitude that decays changes the period: a few more events at a time.
-         rows = 2*size(x) + 2
+         rows = 2*unknowns + 2
          growth = 1.5_wp
          until = first + 1.5_wp*period
       end if
+      scale = 1
       do while (count_until(model, until) - timeless < rows .and. until < last)
          scale = 1.5_wp*scale
          until = first + 2.5_wp*scale*period
       end do
-      do window = 1, 40
-         is_last = until >= last .or. window == 40
-         if (stage == 1 .and. is_last) is_last = .false.
-         rows = count_until(model, until)
-         if (is_last) then
-            call use_until(model, huge(1.0_wp), 1)
-         else
-            call use_until(model, until, max(1, rows/max(most_rows, 12*size(x))))
-         end if
-         ! What a coefficient does in a window is to be small where it begins.
-         call place_at(model%motion, x, away=2.5_wp*period/max(until - first, 2.5_wp*period, tiny(period)))
-         model%motion%is_exact = was_exact .or. stage == 1
-         call set_tolerance(model, is_last)
-         if (.not. is_last) then
-            allocate (model%pull(size(x)), model%pull_to(size(x)))
-            model%pull = merge(10.0_wp, 3.0_wp, model%motion%of%form == form_logarithm)
-            model%pull_to = x
-            model%residuals = model%residuals + size(x)
-         end if
-         if (is_last) then
-            call finish(model, x, minimum)
-         else
-            call minimise(model, x, minimum, 1e-4_wp, 40)
-            deallocate (model%pull, model%pull_to)
-         end if
-         model%motion%is_exact = was_exact
-         if (present(hopeless) .and. .not. is_last) then
-            if (minimum%squares/max(1, size(model%used)) > hopeless) minimum%squares = huge(1.0_wp)
-         end if
-         if (.not. minimum%squares < huge(1.0_wp)) return
-         call numbers_of_start(model%motion, x, number, rates)
-         place%number = number
-         model%motion%number = number
-         if (is_last .or. stage == 1) exit
-         until = first + growth*(until - first)
-      end do
-   end subroutine follow
+   end subroutine first_window
+
+   !> The minimum of what was measured until a time, thinned out. Springs hold what it does not tell.
+   subroutine search_window(model, place, x, stage, until, part, minimum)
+      type(model_type), intent(inout) :: model
+      type(place_type), intent(in) :: place
+      real(wp), intent(inout) :: x(:)
+      integer, intent(in) :: stage
+      real(wp), intent(in) :: until
+      real(wp), intent(in) :: part                          !! Some periods over the window
+      type(minimum_type), intent(out) :: minimum
+      logical :: was_exact
+      real(wp) :: begun(size(x))
+      integer, parameter :: most_rows = 300, few_steps = 4
+
+      call use_until(model, until, max(1, count_until(model, until)/max(most_rows, 12*size(x))))
+      ! What a coefficient does in a window is to be small where it begins.
+      model%motion%number = place%number
+      call place_at(model%motion, x, away=part)
+      was_exact = model%motion%is_exact
+      model%motion%is_exact = was_exact .or. stage == 1
+      call set_tolerance(model, .false.)
+      allocate (model%pull(size(x)), model%pull_to(size(x)))
+      model%pull = merge(10.0_wp, 3.0_wp, model%motion%of%form == form_logarithm)
+      model%pull_to = x
+      model%residuals = model%residuals + size(x)
+      begun = x
+      if (stage == 2) call polish(model, x, minimum, few_steps, near=0.1_wp)
+      if (.not. minimum%is_found) then
+         x = begun
+         call minimise(model, x, minimum, 1e-4_wp, 40)
+      end if
+      deallocate (model%pull, model%pull_to)
+      model%motion%is_exact = was_exact
+   end subroutine search_window
+
+   subroutine begin_last_window(model, x, part)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(inout) :: x(:)
+      real(wp), intent(in) :: part                          !! Some periods over the window
+
+      call use_until(model, huge(1.0_wp), 1)
+      call place_at(model%motion, x, away=part)
+      call set_tolerance(model, .true.)
+   end subroutine begin_last_window
+
+   !> The numbers at x become those of the place and of the model.
+   subroutine keep(model, place, x)
+      type(model_type), intent(inout) :: model
+      type(place_type), intent(inout) :: place
+      real(wp), intent(in) :: x(:)
+      real(wp) :: rates(size(x))
+
+      call numbers_of_start(model%motion, x, place%number, rates)
+      model%motion%number = place%number
+   end subroutine keep
+
+   !> From a motion that is right for some periods to the minimum of all data by a few of Gauss's steps, first for some
+   !> rows of them. It is found only where it explains the data.
+   subroutine leap(model, x, minimum)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(inout) :: x(:)
+      type(minimum_type), intent(out) :: minimum
+      integer, parameter :: few_steps = 4
+
+      if (size(model%used) > many) then
+         call use_until(model, huge(1.0_wp), size(model%used)/thin)
+         call polish(model, x, minimum, few_steps, near=1.0_wp)
+         if (minimum%is_found) minimum%is_found = looks_good(model, minimum%squares)
+         call use_until(model, huge(1.0_wp), 1)
+         if (.not. minimum%is_found) return
+      end if
+      call polish(model, x, minimum, few_steps)
+      if (minimum%is_found) minimum%is_found = looks_good(model, minimum%squares)
+   end subroutine leap
 
    !> To the minimum of all data. What shorter times and fewer rows tell is near: a few of Gauss's steps; else the
    !> trust region first.
@@ -299,7 +405,7 @@ contains
       real(wp), intent(inout) :: x(:)
       type(minimum_type), intent(out) :: minimum
       real(wp) :: begun(size(x))
-      integer, parameter :: few_steps = 4, most_steps = 30, many = 3000, thin = 1500
+      integer, parameter :: few_steps = 4, most_steps = 30
 
       begun = x
       if (size(model%used) > many) then

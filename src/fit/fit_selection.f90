@@ -23,7 +23,6 @@ module kyvadlo_fit_selection
       real(wp), allocatable :: times(:)                   !! Of rows in use, ascending
       real(wp), allocatable :: time_sigma(:), delay(:)    !! Of each: sigma of t, the latent time less t
       integer :: axes(2) = [1, 3]
-      real(wp) :: until = huge(1.0_wp)
       integer :: loss = loss_squares
       real(wp) :: loss_scale = 1
       real(wp), allocatable :: pull(:), pull_to(:)        !! Weak springs that hold unknowns where few data do not
@@ -31,8 +30,8 @@ module kyvadlo_fit_selection
       real(wp), allocatable :: prior_value(:), prior_sigma(:)
       !> Whether there are such columns among those in use.
       logical :: has_forces = .false., has_events = .false., has_periods = .false.
-      !> Room that evaluations share: of each measurement in use the prediction and its rate, of each time the state and
-      !> its derivatives.
+      !> Room that evaluations share: of each measurement in use the prediction and its rate, of each time in hand the
+      !> state and its derivatives.
       real(wp), allocatable :: h(:), rates(:), states(:, :), matrices(:, :, :)
    end type selection_type
 
@@ -45,16 +44,20 @@ contains
       integer, intent(in) :: stride
       integer, allocatable :: used(:)
       real(wp), allocatable :: times(:)
-      integer :: i, n, row, rows
+      integer :: i, n, row, rows, seen
+      logical :: is_wanted
 
-      model%until = until
       model%has_forces = .false.
       model%has_events = .false.
       model%has_periods = .false.
-      allocate (used(size(model%all)), times(size(model%all)))
+      n = size(model%all)
+      if (model%is_ascending .and. until < huge(until)) n = count_until(model, until)
+      allocate (used(n), times(n))
       n = 0
       rows = 0
       row = 0
+      seen = 0
+      is_wanted = .true.
       do i = 1, size(model%all)
          associate (one => model%all(i))
             if (one%time > until) then
@@ -62,7 +65,9 @@ contains
                cycle
             end if
             if (stride > 1) then
-               if (modulo(one%row, stride) /= 0) cycle
+               if (one%row /= seen) is_wanted = modulo(one%row, stride) == 0
+               seen = one%row
+               if (.not. is_wanted) cycle
             end if
             n = n + 1
             used(n) = i
@@ -79,8 +84,10 @@ contains
             one%time_place = rows
          end associate
       end do
-      model%used = used(:n)
-      model%times = times(:rows)
+      call move_alloc(used, model%used)
+      call move_alloc(times, model%times)
+      if (n < size(model%used)) model%used = model%used(:n)
+      if (rows < size(model%times)) model%times = model%times(:rows)
       model%residuals = n
       if (allocated(model%prior)) model%residuals = model%residuals + size(model%prior)
       if (allocated(model%pull)) model%residuals = model%residuals + size(model%pull)
@@ -108,21 +115,22 @@ contains
       end do
    end function count_until
 
-   !> For the states of all times, and their derivatives.
-   subroutine make_room(model, unknowns, rows, with_derivatives)
+   !> For the states of so many times, and their derivatives.
+   subroutine make_room(model, times, unknowns, rows, with_derivatives)
       class(selection_type), intent(inout) :: model
-      integer, intent(in) :: unknowns, rows
+      integer, intent(in) :: times, unknowns, rows
       logical, intent(in) :: with_derivatives
 
       if (allocated(model%states)) then
-         if (size(model%states, 2) /= size(model%times)) deallocate (model%states)
+         if (size(model%states, 2) < times) deallocate (model%states)
       end if
-      if (.not. allocated(model%states)) allocate (model%states(6, size(model%times)))
+      if (.not. allocated(model%states)) allocate (model%states(6, times))
       if (.not. with_derivatives) return
       if (allocated(model%matrices)) then
-         if (any(shape(model%matrices) /= [rows, unknowns, size(model%times)])) deallocate (model%matrices)
+         if (size(model%matrices, 1) /= rows .or. size(model%matrices, 2) /= unknowns .or. &
+            size(model%matrices, 3) < times) deallocate (model%matrices)
       end if
-      if (.not. allocated(model%matrices)) allocate (model%matrices(rows, unknowns, size(model%times)))
+      if (.not. allocated(model%matrices)) allocate (model%matrices(rows, unknowns, times))
    end subroutine make_room
 
    !> Gives up what evaluations share: it is many times the data.

@@ -95,16 +95,18 @@ contains
 
    !> Gauss's steps by singular values from where the trust region ended: in a long valley its tests are met early. A
    !> minimum is where such a step would lower the sum by less than a thousandth of a squared sigma.
-   subroutine polish(problem, x, minimum, most_steps)
+   subroutine polish(problem, x, minimum, most_steps, near)
       class(least_squares_type), intent(inout) :: problem
       real(wp), intent(inout) :: x(:)
       type(minimum_type), intent(inout) :: minimum
       integer, intent(in) :: most_steps
+      !> Near enough is where a step would lower the sum by less; else it is polished to rounding.
+      real(wp), intent(in), optional :: near
       integer, parameter :: most_halves = 12
       real(wp), parameter :: small = 1e-3_wp, tiny_part = 1e-9_wp
       real(wp), allocatable :: jacobian(:, :), f(:)
       real(wp) :: normal(size(x), size(x)), s(size(x)), u(1, 1), vt(size(x), size(x)), work(20*size(x)), g(size(x))
-      real(wp) :: scale(size(x)), step(size(x)), y(size(x)), decrement, before, part, squares
+      real(wp) :: scale(size(x)), step(size(x)), y(size(x)), decrement, before, part, squares, enough
       integer :: i, k, p, info
       logical :: failed, is_seen
 
@@ -113,6 +115,8 @@ contains
       if (problem%residuals < p) return
       allocate (jacobian(p, problem%residuals), f(problem%residuals))
       is_seen = .false.
+      enough = small
+      if (present(near)) enough = near
       do i = 1, most_steps
          if (.not. is_seen) call problem%evaluate(x, f, failed, jacobian)
          minimum%is_found = .false.
@@ -144,7 +148,8 @@ contains
             step = 0
          end where
          decrement = dot_product(step, g)
-         minimum%is_found = decrement < small*max(1.0_wp, before/problem%residuals)
+         minimum%is_found = decrement < enough*max(1.0_wp, before/problem%residuals)
+         if (minimum%is_found .and. present(near)) return
          if (decrement < 1e-3_wp*small) return
          step = matmul(step, vt)/scale
          part = 1

@@ -72,6 +72,21 @@ awk 'NR == 1 || (NR - 2) % 13 == 0 { print }' "$scratch/mm.csv" >"$scratch/spars
 "$kyvadlo" fit "$scratch/plain.nml" "$scratch/sparse.csv" >"$scratch/out" 2>"$scratch/error"
 grep -q 'sparse.csv:1: rows at equal intervals, fewer than three a period,' "$scratch/error" || complain "sparse: $(cat "$scratch/error")"
 
+# A start far before the data; `plane` alone, whose jumps a search does not find.
+awk -F, 'NR == 1 { print "t,x,y,z"; next } { printf "%.1f,%s,%s,%s\n", $1 + 1e6, $2, $3, $4 }' "$scratch/swing.csv" >"$scratch/late.csv"
+"$kyvadlo" fit "$scratch/plain.nml" "$scratch/late.csv" >"$scratch/out" 2>"$scratch/error"
+status=$?
+[ $status = 2 ] || complain "late: status $status"
+grep -q 'late.csv:2: t begins at 1000000 s, and the data last 60.0 s: position and velocity are those at t = 0;' "$scratch/error" ||
+   complain "late: $(cat "$scratch/error")"
+printf '&pendulum length=1 position=0.8,0,-0.6 velocity=0,1.3,0 /\n&output duration=30 samples=301 quantities="plane" /\n' |
+   "$kyvadlo" simulate - | awk -F, 'NR == 1 { print "t,plane"; next } { printf "%s,%.5f\n", $1, $2 + 0.01*sin(NR*NR) }' >"$scratch/plane.csv"
+printf "&pendulum length=1 /\n&fit free='position velocity' sigma=0.01 /\n" >"$scratch/plane.nml"
+"$kyvadlo" fit "$scratch/plane.nml" "$scratch/plane.csv" >"$scratch/out" 2>"$scratch/error"
+status=$?
+[ $status = 1 ] || complain "jumps of plane: status $status"
+grep -q 'plane.csv:1: plane alone tells how fast the line of apsides turns' "$scratch/error" || complain "jumps: $(cat "$scratch/error")"
+
 # Angles alone do not tell length from gravity, only their ratio: a valley is a minimum.
 sed "s/length = 0.8/length = 1/; s/free = 'gravity/free = 'length gravity/" ../../examples/fits/laboratory.nml >"$scratch/valley.nml"
 "$kyvadlo" fit "$scratch/valley.nml" ../../examples/fits/laboratory.csv --format json >"$scratch/out" || complain "valley: status $?"

@@ -36,6 +36,21 @@ fit 'camera' "&pendulum gravity=9.80665 /\n&camera view='xz' /\n&fit free='lengt
 fit 'bounded camera' "&pendulum gravity=9.80665 /\n&camera view='xz' /\n&fit free='length position velocity scale angle offset' sigma=0.2 least_scale=20 most_scale=900 least_angle=-40 most_angle=30 /\n" \
    length=1.2 scale=200 angle=5.729578 offset1=0.3
 
+# Swings over the top, with nothing known of the start: one angle wrapped, one counted on.
+data '&pendulum length=0.5 gravity=9.79 position=0.05,0,-0.4974937 velocity=4.577,0,0.46 /' '12 samples=241' 'position' \
+   'NR == 1 { print "t,angle"; next } { printf "%s,%.4f\n", $1, 57.29577951308232*atan2($2, -$4) + 0.5*n() }'
+fit 'over the top' "&pendulum length=0.5 /\n&fit free='gravity position velocity' units='degrees' sigma=0.5 /\n" gravity=9.79 position1=0.05
+data '&pendulum length=0.5 gravity=9.79 position=-0.14,0,-0.48 velocity=-6.72,0,1.96 /' '8 samples=161' 'position' \
+   'NR == 1 { print "t,angle"; next } { a = 57.29577951308232*atan2($2, -$4); while (NR > 2 && a - b > 180) a -= 360; b = a
+      printf "%s,%.4f\n", $1, a + 0.5*n() }'
+fit 'angle counted on' "&pendulum length=0.5 /\n&fit free='gravity position velocity' units='degrees' sigma=0.5 /\n" gravity=9.79
+
+# A photogate that missed one passage in four, its clock started earlier: a swing twice as fast has these passages too, and is not it.
+data '&pendulum length=0.6 gravity=9.81 release_angle=25 / &air linear=0.01 /' '60 samples=60001' 'position' \
+   'NR == 1 { print "crossing_time"; next } NR > 2 && x*$2 < 0 && ++i % 4 != 3 { printf "%.6f\n", 3.217 + $1 - $2*($1 - t)/($2 - x) + 2e-4*n() }
+      { t = $1; x = $2 }'
+fit 'missed passages' "&pendulum length=0.6 /\n&air /\n&fit free='gravity linear position velocity' sigma=2e-4 /\n" gravity=9.81 linear=0.01
+
 # Events before t = 0: highest points of a swing of 30 degrees, whose period is 1.0174087975... small ones.
 awk 'BEGIN { print "turning_time"; for (i = -5; i <= 6; i++) printf "%.9f\n", i*1.01740879759*3.14159265359*sqrt(0.5/9.81) + 1e-5*sin(i*i) }' >"$scratch/data.csv"
 fit 'events before t = 0' "&pendulum length=0.5 release_angle=30 /\n&fit free='gravity' sigma=1e-5 /\n" gravity=9.81

@@ -46,6 +46,9 @@ for name in lsqfit 2; do
 done
 "$kyvadlo" fit "$scratch/two.nml" published/pendulum.csv --pendulum lsqfit >"$scratch/chosen" || complain "--pendulum: status $?"
 grep -c 'other' "$scratch/chosen" | grep -qx 0 || complain 'the fitted scene has the other pendulum'
+for option in --output --residuals; do
+   refused 2 "option $option: a fit is text; NetCDF (.nc) comes from simulate" published/pendulum.nml published/pendulum.csv $option "$scratch/f.nc"
+done
 refused 2 "option --pendulum: none is named 'x'; give another name, or a number from 1 to 2" "$scratch/two.nml" published/pendulum.csv --pendulum x
 refused 2 'two.nml:3: a second &pendulum; choose it by --pendulum' "$scratch/two.nml" published/pendulum.csv
 
