@@ -42,6 +42,15 @@ if has_gsl; then
    echo "&pendulum length=1, position=0,0,-1.5 velocity=0,0,1 / &string / &air linear=0.1 / &output duration=1 /" >beyond.nml
    fails 2 'beyond.nml:1: &pendulum: the position must not lie outside what the string lets the bob reach, 1.000000 m, got' simulate beyond.nml
 fi
+# A swing whose squares leave the range would stand still for ever.
+for start in 'position=1e-170,2e-170,-1 velocity=0,0,0' 'position=0,0,-1 velocity=1e-200,1e-200,0' 'release_angle=1e-160' \
+   'release_angle=-1e-155' 'release_angle=180 release_speed=-1e-170'; do
+   echo "&pendulum length=1 $start / &output duration=1, samples=2 /" >still.nml
+   fails 2 'so close to rest that squares leave the range' simulate still.nml
+done
+echo "&pendulum length=1 release_angle=1e-130 / &output duration=1, samples=2, quantities='position' /" >small.nml
+run simulate small.nml
+expect_match '^1e+00,-1.745241365001[0-9]*e-132,0e+00,-1e+00$'
 # From the sphere inwards; along a chord through the pivot without much time to fall.
 cat >inwards.nml <<'END'
 &pendulum length=1, gravity=1e-6, position=0.6,0,-0.8, velocity=-6,0,8 /
