@@ -19,6 +19,13 @@ module kyvadlo_help_command
       procedure :: put => keep_first
    end type first_line_type
 
+   !> Keeps all lines.
+   type, extends(text_sink_type) :: whole_type
+      character(len=:), allocatable :: text
+   contains
+      procedure :: put => keep_all
+   end type whole_type
+
 contains
 
    subroutine help_command(arguments, error)
@@ -59,8 +66,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(output_type) :: output
       type(first_line_type) :: first
+      type(whole_type) :: whole
       character(len=:), allocatable :: name, path
-      integer :: i
+      integer :: i, j
       logical :: is_there
 
       if (size(arguments%operands) > 2) call fail(error, code_input, 'examples takes NAME and FILE at most')
@@ -82,15 +90,45 @@ contains
          call fail(error, code_input, "no example '"//shown(name)//"'; kyvadlo examples lists them")
          return
       end if
-      path = trim(example_names(i))
+      path = without_folder(i)
       if (size(arguments%operands) == 2) path = arguments%operands(2)%text
+      call copy_example(i, path, error)
+      if (allocated(error) .or. path == '-') return
+      ! The tables that a scene reads lie beside it.
+      call write_example(whole, i)
+      do j = 1, size(example_names)
+         name = without_folder(j)
+         if (index(name, '.txt') == 0 .or. index(whole%text, name) == 0) cycle
+         name = path(:index(path, '/', back=.true.))//name
+         inquire (file=name, exist=is_there)
+         if (.not. is_there) call copy_example(j, name, error)
+         if (allocated(error)) return
+      end do
+   end subroutine examples_command
+
+   !> Writes an example into a file that is not there, or to standard output, `-`.
+   subroutine copy_example(i, path, error)
+      integer, intent(in) :: i
+      character(len=*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+      type(output_type) :: output
+      logical :: is_there
+
       inquire (file=path, exist=is_there)
       if (path /= '-' .and. is_there) call fail(error, code_file, shown(path)//' is there already; name another FILE')
       if (.not. allocated(error)) call open_output(output, path, error)
       if (allocated(error)) return
       call write_example(output, i)
       call close_output(output, error)
-   end subroutine examples_command
+   end subroutine copy_example
+
+   pure function without_folder(i) result(name)
+      integer, intent(in) :: i
+      character(len=:), allocatable :: name
+
+      name = trim(example_names(i))
+      name = name(index(name, '/') + 1:)
+   end function without_folder
 
    subroutine keep_first(sink, line)
       class(first_line_type), intent(inout) :: sink
@@ -99,15 +137,25 @@ contains
       if (.not. allocated(sink%line)) sink%line = line
    end subroutine keep_first
 
-   !> The first sentence of a comment; what goes on over lines is cut.
+   subroutine keep_all(sink, line)
+      class(whole_type), intent(inout) :: sink
+      character(len=*), intent(in) :: line
+
+      if (.not. allocated(sink%text)) sink%text = ''
+      sink%text = sink%text//line//new_line(line)
+   end subroutine keep_all
+
+   !> The first sentence of a comment, which no initial ends; what goes on over lines is cut.
    pure function sentence(line) result(text)
       character(len=*), intent(in) :: line
       character(len=:), allocatable :: text
       integer :: last
 
       text = line(3:)
-      last = index(text, '. ')
-      if (last > 0) text = text(:last)
+      do last = 3, len(text) - 1
+         if (text(last:last + 1) == '. ' .and. text(last - 2:last - 2) /= ' ') exit
+      end do
+      if (last < len(text)) text = text(:last)
       if (text(len(text):) /= '.') text = text//' ...'
    end function sentence
 

@@ -20,7 +20,29 @@ module kyvadlo_help_topics
       topic_type('effects', 'what else may act on it: a group for each effect'), &
       topic_type('output', 'what is computed of it, and when: &output and its quantities'), &
       topic_type('fit', 'what a fit is told: its group of settings'), &
-      topic_type('sweep', 'what a sweep is told: its group of settings')]
+      topic_type('sweep', 'what a sweep is told: axes, measures, histograms')]
+
+   !> The names of a plan's groups. (A scene has no such groups: they are not in the table of settings.)
+   type :: plan_name_type
+      character(len=9) :: group
+      character(len=20) :: names
+      character(len=100) :: meaning
+   end type plan_name_type
+   type(plan_name_type), parameter :: plan_names(*) = [ &
+      plan_name_type('axis', 'name', 'the setting that takes the values: length, z_upper, frequency(1) ...'), &
+      plan_name_type('axis', 'from, to, count', 'equidistant values between two decimals, both included'), &
+      plan_name_type('axis', 'scale', 'linear or log'), &
+      plan_name_type('axis', 'values', 'the values themselves, in place of from, to and count'), &
+      plan_name_type('axis', 'random, count, seed', 'uniform (from, to) or normal, by Philox4x32-10'), &
+      plan_name_type('axis', 'mean, deviation', 'of a normal axis; without mean the value in the scene'), &
+      plan_name_type('axis', 'covariance', 'in place of deviation: a row of the matrix of the normal axes together'), &
+      plan_name_type('axis', 'together', 'axes with one name run side by side, others multiply'), &
+      plan_name_type('measure', 'quantities', &
+      'T k K q A phi_T advance turning heights rates; least_, greatest_, first_, last_ and a column; ...'), &
+      plan_name_type('measure', 'crossing, level, at', &
+      'the column and level of crossing_time, the time of swing_amplitude and swing_azimuth'), &
+      plan_name_type('histogram', 'quantity, from, to', 'what is counted, and between which bounds'), &
+      plan_name_type('histogram', 'count, scale', 'bins, linear or log')]
 
 contains
 
@@ -29,7 +51,7 @@ contains
       character(len=*), intent(in) :: name
 
       has_topic = any(topics%name == name) .and. &
-         (name /= 'fit' .and. name /= 'sweep' .or. any(commands%name == name) .and. any(group_names == name))
+         (name /= 'fit' .and. name /= 'sweep' .or. any(commands%name == name))
    end function has_topic
 
    subroutine write_topic(sink, name)
@@ -88,6 +110,11 @@ contains
          call put_lines( &
             'A group for each effect; without its group an effect is not there and costs nothing. What has a', &
             'closed form is computed by it, the rest is integrated by GSL. Each group may stand once in a scene.')
+      case ('sweep')
+         call put_lines('A plan is a scene with &axis groups, a &measure and perhaps &histogram groups (doc/sweeps.md):', '')
+         do i = 1, size(plan_names)
+            call put_item('&'//trim(plan_names(i)%group)//' '//trim(plan_names(i)%names), trim(plan_names(i)%meaning))
+         end do
       case ('output')
          call put_lines('At most one &output in a scene says when and what `kyvadlo simulate` computes:', '')
       end select

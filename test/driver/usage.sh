@@ -92,13 +92,14 @@ run help
 expect_in_out 'effects   what else may act'
 run help eval
 expect_in_out 'Usage: kyvadlo eval'
-fails 2 "unknown topic 'weather'; the topics are scenes, effects, output, fit, table" help weather
+fails 2 "unknown topic 'weather'; the topics are scenes, effects, output, fit, " help weather
 fails 2 'help takes one TOPIC' help scenes effects
 
 # The example scenes: listed, copied byte for byte, and no file is overwritten.
 run examples
-for scene in "$top"/examples/scenes/*; do
-   name=${scene##*/}
+for scene in "$top"/examples/scenes/* "$top"/examples/fits/* "$top"/examples/sweeps/*; do
+   name=${scene#"$top"/examples/}
+   name=${name#scenes/}
    run examples
    expect_in_out "$name "
    run examples "$name" -
@@ -111,6 +112,20 @@ expect_status 0
 run table mine.nml
 expect_in_out 'Foucault'
 fails 2 'mine.nml is there already' examples foucault mine.nml
+# With the tables that it reads.
+mkdir cranes
+run examples hoisting_crane cranes/mine.nml
+expect_status 0
+checks=$((checks + 1))
+cmp cranes/crane_trolley.txt "$top/examples/scenes/crane_trolley.txt" && cmp cranes/crane_winch.txt "$top/examples/scenes/crane_winch.txt" ||
+   complain 'the tables of a scene must come with it'
+run examples fits/laboratory.nml
+expect_status 0
+checks=$((checks + 1))
+[ -s laboratory.nml ] || complain 'an example of a fit must lie in this folder'
+run examples
+expect_match '^swinging_spring.nml .* P\. Lynch'
+! grep -q ' P\.$' out || complain 'a sentence ends at an initial'
 fails 2 "no example 'weather'; kyvadlo examples lists them" examples weather
 
 run --completion
