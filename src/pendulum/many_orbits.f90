@@ -170,8 +170,8 @@ contains
    !> upper turning height at azimuth 0: for orbits that are evaluated once, by vector kernels; next to the upright
    !> (k'**2 < 1/64) by a set-up.
    !> NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; arrays of different sizes give NaN.
-   !> Error 6 eps l + 3 eps |t| v and 6 eps v + 3 eps |t| (g + v**2/l) at worst, v the greatest speed: the period has the
-   !> digits of the kind only (test/unit/test_many_orbits.pf).
+   !> Error 6 eps l + 3 eps |t| v and 6 eps v + 3 eps |t| (g + v**2/l) at worst, v the greatest speed: the period has
+   !> the digits of the kind only (test/unit/test_many_orbits.pf).
    subroutine orbits_locate_from_gaps(length, gravity, upper_gap, lower_rise, time, position, velocity, threads, &
          highest_level)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
