@@ -111,7 +111,8 @@ contains
             'A group for each effect; without its group an effect is not there and costs nothing. What has a', &
             'closed form is computed by it, the rest is integrated by GSL. Each group may stand once in a scene.')
       case ('sweep')
-         call put_lines('A plan is a scene with &axis groups, a &measure and perhaps &histogram groups (doc/sweeps.md):', '')
+         call put_lines('A plan is a scene with &axis groups, a &measure, perhaps &histogram groups (doc/sweeps.md):', &
+            '')
          do i = 1, size(plan_names)
             call put_item('&'//trim(plan_names(i)%group)//' '//trim(plan_names(i)%names), trim(plan_names(i)%meaning))
          end do
