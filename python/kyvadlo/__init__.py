@@ -4,7 +4,7 @@ Functions are NumPy ufuncs: `ellipk`, `ellipkinc`, `ellipj`, `elliprf`, ... by S
 Motions: `Orbit`, `periods_from_gaps`, `constants_from_gaps`, `locate_from_gaps`, `simulate`, `period_table`, `fit`.
 ``python -m kyvadlo`` is the program.
 """
-from importlib.metadata import PackageNotFoundError, version
+from importlib import metadata as _metadata
 
 from . import functions
 from .functions import *  # noqa: F403
@@ -13,8 +13,8 @@ from .orbit import GRAVITY, Derivatives, Orbit, TurningHeights
 from .scenes import Fit, NamedArrays, PeriodTable, Samples, fit, period_table, simulate
 
 try:
-    __version__ = version("kyvadlo")
-except PackageNotFoundError:  # found by its folder, not installed
+    __version__ = _metadata.version("kyvadlo")
+except _metadata.PackageNotFoundError:  # found by its folder, not installed
     __version__ = "unknown"
 
 __all__ = [*functions.__all__, "GRAVITY", "Derivatives", "Fit", "NamedArrays", "Orbit", "PeriodTable", "Samples",

@@ -149,7 +149,8 @@ contains
       if (.not. allocated(what)) return
       if (what == 'not a number') then
          i = verify(word, '0123456789.+-')
-         if (i > 1 .and. scan(word(max(i, 1):), letters) == 1) what = 'units are not written'
+         if (i > 1 .and. (scan(word(max(i, 1):), letters) == 1 .or. iachar(word(max(i, 1):max(i, 1))) > 127)) &
+            what = 'units are not written'
       else if (.not. is_quoted .and. setting%group == pendulum_group) then
          deallocate (what)
          return
