@@ -274,7 +274,11 @@ contains
             if (pass < passes) cycle
             h(events(k)) = times(k)
             rates(events(k)) = 0
-            if (present(derivatives)) derivatives(:, events(k)) = -matrices(6, :, i)/lift
+            if (.not. present(derivatives)) cycle
+            ! A bob that air has brought to rest has no events.
+            failed = .not. abs(lift) > tiny(lift)/epsilon(lift)
+            if (failed) return
+            derivatives(:, events(k)) = -matrices(6, :, i)/lift
          end do
       end do
    end subroutine predict_events
