@@ -272,11 +272,14 @@ contains
 
       subroutine draw(how, columns, taut, slack)
          character(len=*), intent(in) :: how, columns, taut, slack
+         character(len=:), allocatable :: goes_on
 
+         goes_on = ''
+         if (plot%was_slack) goes_on = ', \'
          call script%put(how//' data using '//taut//' skip 2 with lines ls 1 title "taut", \')
          ! Where it starts: of a bob at rest all there is.
          call script%put('   data using '//columns//' skip 2 every ::0::0 with points pt 7 ps 0.7 lc rgb "black" '// &
-            'notitle'//merge(', \', '   ', plot%was_slack))
+            'notitle'//goes_on)
          if (plot%was_slack) call script%put('   data using '//slack//' skip 2 with lines ls 2 title "slack"')
       end subroutine draw
 
