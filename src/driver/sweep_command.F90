@@ -129,10 +129,11 @@ contains
          return
       end if
 #ifdef KYVADLO_SWEEP_NETCDF
-      call prepare_file(plan, worker, request, ranks, descriptor, is_finished, error)
-      if (allocated(error) .or. is_finished) return
+      ! Before there is a file: one without a whole header is begun anew.
       if (ranks%rank == 0) call kyvadlo_last_words('kyvadlo: interrupted; what is done is kept: go on with: ' &
          //'kyvadlo sweep '//path//resume_words(arguments)//new_line('a')//c_null_char)
+      call prepare_file(plan, worker, request, ranks, descriptor, is_finished, error)
+      if (allocated(error) .or. is_finished) return
       call open_sweep_file(plan, worker%bins, request%output, .true., file)
       file%descriptor = descriptor
       if (.not. file%is_of_plan) call fail(error, code_file, 'cannot open '//request%output)
