@@ -100,7 +100,7 @@ contains
          if (cursor%at > len(text)) exit
          if (text(cursor%at:cursor%at) /= '&') then
             call refuse(error, cursor, 'only groups (&name ... /) and comments (! ...) are expected, ' &
-               //'got '//quoted(text(cursor%at:line_end(text, cursor%at)))//unit_note(text, cursor%at))
+               //'got '//quoted(text(cursor%at:line_end(text, cursor%at)))//trim(unit_note(text, cursor%at)))
             return
          end if
          if (count == size(groups)) then
@@ -115,24 +115,17 @@ contains
       groups = groups(:count)
    end subroutine parse_groups
 
-   !> Of `9.81 m/s2` the slash has ended the group.
+   !> Of `9.81 m/s2` the slash has ended the group: what to say, blank elsewhere.
    pure function unit_note(text, at) result(note)
       character(len=*), intent(in) :: text
       integer, intent(in) :: at                        !! Where no group begins
-      character(len=*), parameter :: words = '; a slash ends a group: units are not written'
-      character(len=merge(len(words), 0, follows_unit(text, at))) :: note
+      character(len=48) :: note
 
-      note = words
+      note = ''
+      if (at <= 2) return
+      if (text(at - 1:at - 1) == '/' .and. is_letter(text(at - 2:at - 2)) .and. is_letter(text(at:at))) &
+         note = '; a slash ends a group: units are not written'
    end function unit_note
-
-   pure logical function follows_unit(text, at)
-      character(len=*), intent(in) :: text
-      integer, intent(in) :: at
-
-      follows_unit = .false.
-      if (at > 2) follows_unit = text(at - 1:at - 1) == '/' .and. is_letter(text(at - 2:at - 2)) .and. &
-         is_letter(text(at:at))
-   end function follows_unit
 
    pure logical function is_letter(c)
       character(len=1), intent(in) :: c
