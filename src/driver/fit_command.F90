@@ -12,7 +12,7 @@ module kyvadlo_fit_command
    use kyvadlo_fit_report, only: write_fit_csv, write_fit_text, write_residuals
    use kyvadlo_fit_request, only: fit_request_type, parse_fit_request
    use kyvadlo_plot_samples, only: check_plot
-   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_run_files, only: add_input, add_output, check_files, is_netcdf_name, run_files_type
    use kyvadlo_standard_io, only: close_output, message, open_output, output_type
 #endif
    use kyvadlo_status, only: code_input, code_unsupported, error_type, fail
@@ -90,7 +90,7 @@ contains
          name = option_value(arguments, trim(named(i)), '')
          if (name == '') then
             call fail(error, code_input, 'option '//trim(named(i))//' needs the name of a file')
-         else if (len(name) > 3 .and. index(name, '.nc', back=.true.) == len(name) - 2) then
+         else if (is_netcdf_name(name)) then
             call fail(error, code_input, 'option '//trim(named(i))//': a fit is text; NetCDF (.nc) comes from simulate')
          end if
       end do

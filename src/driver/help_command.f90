@@ -12,13 +12,6 @@ module kyvadlo_help_command
    private
    public :: examples_command, help_command
 
-   !> Keeps the first line.
-   type, extends(text_sink_type) :: first_line_type
-      character(len=:), allocatable :: line
-   contains
-      procedure :: put => keep_first
-   end type first_line_type
-
    !> Keeps all lines.
    type, extends(text_sink_type) :: whole_type
       character(len=:), allocatable :: text
@@ -65,7 +58,6 @@ contains
       type(arguments_type), intent(in) :: arguments
       type(error_type), allocatable, intent(out) :: error
       type(output_type) :: output
-      type(first_line_type) :: first
       type(whole_type) :: whole
       character(len=:), allocatable :: name, path
       integer :: i, j
@@ -77,9 +69,10 @@ contains
          call open_output(output, '', error)
          if (allocated(error)) return
          do i = 1, size(example_names)
-            if (allocated(first%line)) deallocate (first%line)
-            call write_example(first, i)
-            call output%put(example_names(i)(:len_trim_of_names())//'  '//sentence(first%line))
+            if (allocated(whole%text)) deallocate (whole%text)
+            call write_example(whole, i)
+            call output%put(example_names(i)(:len_trim_of_names())//'  '// &
+               sentence(whole%text(:index(whole%text, new_line('a')) - 1)))
          end do
          call close_output(output, error)
          return
@@ -129,13 +122,6 @@ contains
       name = trim(example_names(i))
       name = name(index(name, '/') + 1:)
    end function without_folder
-
-   subroutine keep_first(sink, line)
-      class(first_line_type), intent(inout) :: sink
-      character(len=*), intent(in) :: line
-
-      if (.not. allocated(sink%line)) sink%line = line
-   end subroutine keep_first
 
    subroutine keep_all(sink, line)
       class(whole_type), intent(inout) :: sink

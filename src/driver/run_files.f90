@@ -6,7 +6,7 @@ module kyvadlo_run_files
    use kyvadlo_standard_io, only: message
    implicit none
    private
-   public :: run_files_type, add_input, add_output, check_files, is_ordinary_or_new
+   public :: run_files_type, add_input, add_output, check_files, is_netcdf_name, is_ordinary, is_ordinary_or_new
 
    type :: run_file_type
       character(len=:), allocatable :: role       !! In messages: `option --output`, `the scene`
@@ -125,6 +125,21 @@ contains
       path = one%path
       if (one%descriptor >= 0) path = other%path
    end function named
+
+   !> Whether a file is to be NetCDF, by its ending.
+   pure logical function is_netcdf_name(name)
+      character(len=*), intent(in) :: name
+
+      is_netcdf_name = .false.
+      if (len(name) > 3) is_netcdf_name = name(len(name) - 2:) == '.nc'
+   end function is_netcdf_name
+
+   !> Whether there is an ordinary file of this name.
+   logical function is_ordinary(path)
+      character(len=*), intent(in) :: path
+
+      is_ordinary = kyvadlo_kind_of_file(path//c_null_char) == kind_ordinary
+   end function is_ordinary
 
    !> Whether there is an ordinary file of this name, or nothing.
    logical function is_ordinary_or_new(path)

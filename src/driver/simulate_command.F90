@@ -15,7 +15,7 @@ module kyvadlo_simulate_command
    use kyvadlo_simulate, only: simulate
    use kyvadlo_simulation, only: read_simulation, simulation_type
    use kyvadlo_simulation_path, only: check_type, choose_path, path_integrated, path_type
-   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_run_files, only: add_input, add_output, check_files, is_netcdf_name, run_files_type
    use kyvadlo_scene_effects, only: get_table_paths
    use kyvadlo_settings_list, only: write_settings
    use kyvadlo_standard_io, only: become_program, close_output, discard_output, get_unfinished_name, is_on_terminal, &
@@ -296,14 +296,6 @@ contains
 #endif
       if (allocated(check) .and. .not. allocated(error)) call report_check(path, check)
    end subroutine compute
-
-   !> Whether a file is to be NetCDF, by its ending.
-   pure logical function is_netcdf_name(name)
-      character(len=*), intent(in) :: name
-
-      is_netcdf_name = .false.
-      if (len(name) > 3) is_netcdf_name = name(len(name) - 2:) == '.nc'
-   end function is_netcdf_name
 
    !> Ends a file: whole, or after an error not at all.
    subroutine finish(output, error)

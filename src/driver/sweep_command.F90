@@ -7,7 +7,7 @@ module kyvadlo_sweep_command
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_number_text, only: digits_text
    use kyvadlo_ranks
-   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_run_files, only: add_input, add_output, check_files, is_netcdf_name, is_ordinary, run_files_type
    use kyvadlo_standard_io, only: is_terminal, message
    use kyvadlo_status, only: code_file, code_input, code_unsupported, error_type, fail
 #ifdef KYVADLO_SWEEP_NETCDF
@@ -184,7 +184,7 @@ contains
       request%output = option_value(arguments, '--output', '')
       request%is_resumed = option_given(arguments, '--resume')
       request%is_forced = option_given(arguments, '--force')
-      if (len(request%output) > 3) request%is_netcdf = request%output(len(request%output) - 2:) == '.nc'
+      request%is_netcdf = is_netcdf_name(request%output)
       if (option_given(arguments, '--output') .and. request%output == '') then
          call fail(error, code_input, 'option --output needs the name of a file')
       else if (.not. request%is_netcdf .and. (request%is_merge .or. request%is_resumed .or. &
@@ -246,12 +246,10 @@ contains
       do i = 1, size(arguments%operands)
          call add_input(files, merge('the plan', 'a part  ', i == 1), arguments%operands(i)%text)
       end do
-      if (option_given(arguments, '--output')) call add_output(files, 'option --output', &
-         request%output)
+      if (option_given(arguments, '--output')) call add_output(files, 'option --output', request%output)
       call check_files(files, error)
       if (allocated(error) .or. request%is_netcdf .or. request%is_forced .or. request%output == '') return
-      if (any(kyvadlo_kind_of_sweep(request%output//c_null_char) == [1, 2])) &
-         call fail(error, code_file, request%output//' is there already; '//by_force)
+      if (is_ordinary(request%output)) call fail(error, code_file, request%output//' is there already; '//by_force)
    end subroutine compare_files
 
    !> `I/N`: the chunks of part I of N, which follow each other.

@@ -27,7 +27,7 @@ module kyvadlo_table_command
    use kyvadlo_built_in_scene, only: built_in_name, built_in_scene
    use kyvadlo_command_line, only: accuracy_option, arguments_type, integer_option, option_given, option_value
    use kyvadlo_number_text, only: read_number
-   use kyvadlo_run_files, only: add_input, add_output, check_files, run_files_type
+   use kyvadlo_run_files, only: add_input, add_output, check_files, is_netcdf_name, run_files_type
    use kyvadlo_scene, only: pendulum_type
    use kyvadlo_scene_reader, only: choose_pendulum, parse_scene, read_scene
    use kyvadlo_sheet, only: layout_csv, layout_markdown, layout_text
@@ -197,7 +197,7 @@ contains
       name = option_value(arguments, '--output', '')
       if (name == '') then
          call fail(error, code_input, 'option --output needs the name of a file')
-      else if (len(name) > 3 .and. index(name, '.nc', back=.true.) == len(name) - 2) then
+      else if (is_netcdf_name(name)) then
          call fail(error, code_input, 'option --output: a table is text; NetCDF (.nc) comes from simulate')
       end if
    end subroutine read_options

@@ -104,16 +104,13 @@ int kyvadlo_begin_sweep(const char *unnamed, const char *path, int reserve, int 
    return status;
 }
 
-/* What a file is: -1 not there, 0 empty, 1 beginning as CDF-5 does, 2 something else, 3 no file but a pipe or a device. */
+/* What a file is: -1 not there, 0 empty, 1 beginning as CDF-5 does, 2 something else. */
 int kyvadlo_kind_of_sweep(const char *path)
 {
    char start[4] = {0, 0, 0, 0};
-   struct stat found;
-   FILE *file;
+   FILE *file = fopen(path, "rb");
    size_t count;
 
-   if (stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode)) return 3;
-   file = fopen(path, "rb");
    if (file == NULL) return errno == ENOENT ? -1 : 2;
    count = fread(start, 1, sizeof start, file);
    fclose(file);
