@@ -56,10 +56,10 @@ contains
       class(*), intent(in) :: x(:, :)
       type(values_type) :: f, column
       integer :: i
-      allocate (f%v(0))
+      allocate (f%v(size(x)))
       do i = 1, size(x, 2)
          column = flat_vector(x(:, i))
-         f%v = [f%v, column%v]
+         f%v((i - 1)*size(x, 1) + 1:i*size(x, 1)) = column%v
          f%class = column%class
       end do
       f%shape = shape(x)
@@ -68,11 +68,12 @@ contains
    function flat_cube(x) result(f)
       class(*), intent(in) :: x(:, :, :)
       type(values_type) :: f, layer
-      integer :: i
-      allocate (f%v(0))
+      integer :: i, many
+      allocate (f%v(size(x)))
+      many = size(x, 1)*size(x, 2)
       do i = 1, size(x, 3)
          layer = flat_matrix(x(:, :, i))
-         f%v = [f%v, layer%v]
+         f%v((i - 1)*many + 1:i*many) = layer%v
          f%class = layer%class
       end do
       f%shape = shape(x)
