@@ -8,7 +8,9 @@ module newton_tangent
    private
    public :: integrate_tangent, put_on_sphere
 
-   integer, parameter :: order = 36
+   !> A step's series ends where it has this precision: ten digits beyond those of the doubles that are compared.
+   integer, parameter :: order = 26
+   real(qp), parameter :: precision = 1e-26_qp
 
 contains
 
@@ -45,8 +47,8 @@ contains
          call expand(length, gravity, state, tangent, x, y)
          step = abs(left)
          do k = order - 1, order
-            step = min(step, (epsilon(step)/100*length/(maxval(abs(x(:, k))) + tiny(step)))**(1.0_qp/k))
-            step = min(step, (epsilon(step)/100*maxval(abs(tangent))/(maxval(abs(y(:, k))) + tiny(step)))**(1.0_qp/k))
+            step = min(step, (precision*length/(maxval(abs(x(:, k))) + tiny(step)))**(1.0_qp/k))
+            step = min(step, (precision*maxval(abs(tangent))/(maxval(abs(y(:, k))) + tiny(step)))**(1.0_qp/k))
          end do
          step = sign(step, left)
          call sum_series(x, step, state)
@@ -58,7 +60,7 @@ contains
    pure subroutine expand(length, gravity, state, tangent, x, y)
       real(qp), intent(in) :: length, gravity, state(6), tangent(6)
       real(qp), intent(out) :: x(3, 0:order), y(3, 0:order)
-      real(qp) :: force(0:order), change(0:order), pull(3), pull_change(3)
+      real(qp) :: v(3, 0:order), w(3, 0:order), force(0:order), change(0:order), pull(3), pull_change(3)
       integer :: k, i
 
       x(:, 0) = state(:3)
@@ -66,13 +68,13 @@ contains
       y(:, 0) = tangent(:3)
       y(:, 1) = tangent(4:)
       do k = 0, order - 2
+         v(:, k) = (k + 1)*x(:, k + 1)
+         w(:, k) = (k + 1)*y(:, k + 1)
          force(k) = -gravity*x(3, k)
          change(k) = -gravity*y(3, k)
          do i = 0, k
-            associate (v => (i + 1)*x(:, i + 1), w => (k - i + 1)*x(:, k - i + 1), u => (k - i + 1)*y(:, k - i + 1))
-               force(k) = force(k) + dot_product(v, w)
-               change(k) = change(k) + 2*dot_product(v, u)
-            end associate
+            force(k) = force(k) + dot_product(v(:, i), v(:, k - i))
+            change(k) = change(k) + 2*dot_product(v(:, i), w(:, k - i))
          end do
          force(k) = force(k)/length**2
          change(k) = change(k)/length**2
