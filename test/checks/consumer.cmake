@@ -1,7 +1,7 @@
 # Installs kyvadlo into an empty prefix, moves the prefix, and builds and runs test/consumer against it.
 #
 #   cmake -DSOURCE=<top of the tree> -DWORK=<scratch folder> -DGENERATOR=<...> -DFLAGS=<Fortran flags> -DC_FLAGS=<...>
-#         -DBUILD=<built tree>                      the static or shared libraries of that tree, or
+#         -DBUILD=<built tree>                      the libraries of that tree (-DSHARED=ON -DWITH_GSL=<ON or OFF>: as it was built), or
 #         -DSHARED=ON -DWITH_GSL=<ON or OFF>        a build of its own, shared and not optimised
 #         -DDPKG_DEB=<program> [-DSHLIBDEPS=<...>]  what the Debian package would install, unpacked  -P consumer.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -12,7 +12,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-if(SHARED)
+if(NOT BUILD)
   set(BUILD ${WORK}/build)
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G ${GENERATOR} -DBUILD_SHARED_LIBS=ON -DKYVADLO_BUILD_TESTS=OFF
     -DKYVADLO_WITH_GSL=${WITH_GSL} -DCMAKE_BUILD_TYPE=None -DKYVADLO_KERNEL_OPTIMISATION=-O0

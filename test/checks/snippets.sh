@@ -25,6 +25,8 @@ reason_against() {
       './bootstrap '* | './bootstrap' | 'git clone '* | 'cd kyvadlo') echo 'CI runs it, on a fresh clone' ;;
       'cmake --workflow --preset '* | 'bash .ci/run'*) echo 'CI runs it' ;;
       'cmake '*' part'* | 'part/'* | 'cmake -S fetched'*) echo 'the test part_of_another_project does it' ;;
+      'fpm test' | 'fpm build '*) echo 'the test fpm_builds_and_tests_the_core does it' ;;
+      'cpack '*) echo 'the test consumer_of_debian_package does it' ;;
       'cmake --preset '* | 'cmake --build '*' --target kyvadlo_to_install' | 'cmake --build '*' --target site') echo 'it is built; the test site_is_written does the site' ;;
       'cmake --build '*' --target '*_page) echo 'takes minutes; the tests accuracy_keeps_its_promises, hard_cases_keep_their_promises do it' ;;
       'cmake --build '*' --target pictures') echo 'the test pictures_are_drawn does it' ;;
@@ -37,7 +39,7 @@ reason_against() {
 
 # The tool in a command that is not installed here, and that ./bootstrap does not install.
 absent_tool() {
-   for tool in fpm gnuplot cpack python3 pkg-config c++ g++ f2py ford dot; do
+   for tool in fpm gnuplot python3 pkg-config c++ g++ f2py ford dot; do
       case " $1" in
          *[\ \(]$tool\ *) command -v "$tool" >/dev/null 2>&1 || { echo "$tool"; return; } ;;
       esac
