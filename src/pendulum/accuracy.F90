@@ -74,8 +74,7 @@ contains
    !> Orbit of any start (`start_heights` and so on, see kyvadlo_start) that keeps an accuracy. The numbers of the start
    !> count as they are, in binary. Needs accuracy_finest_quad <= accuracy <= accuracy_coarsest, span >= 0, and times
    !> that the kind can still tell apart.
-   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error, &
-      gravity_rest)
+   pure subroutine to_accuracy_from_start(plan, start, length, gravity, first, second, accuracy, span, error, rests)
       type(accurate_orbit_type), intent(out) :: plan
       integer, intent(in) :: start                       !! One of the `start_*` constants
       real(real64), intent(in) :: length, gravity        !! l [m], g [m/s2]
@@ -83,13 +82,13 @@ contains
       real(real64), intent(in) :: accuracy               !! Of the position relative to l, and of T relative to T
       real(real64), intent(in) :: span                   !! The accuracy is kept for |time| <= span [s]
       type(error_type), allocatable, intent(out) :: error
-      real(real64), intent(in), optional :: gravity_rest !! What of g its rounding took off [m/s2]
-      real(real64) :: rest
+      real(real64), intent(in), optional :: rests(2)      !! What of l and g their rounding took off [m, m/s2]
+      real(real64) :: rest(2)
       logical :: is_kept, is_rough
 
       is_kept = .false.
       rest = 0
-      if (present(gravity_rest)) rest = gravity_rest
+      if (present(rests)) rest = rests
       is_rough = .not. is_nan(accuracy)
       if (is_rough) is_rough = accuracy >= finest_rough
       if (is_rough) then
@@ -115,8 +114,8 @@ contains
             trim(text(accuracy))//' and '// trim(text(half_periods(plan%orbit, plan%span)))//' half periods')
 #else
          allocate (plan%wide)
-         call new_orbit(plan%wide, start, real(length, real128), real(gravity, real128) + rest, real(first, real128), &
-            real(second, real128), error)
+         call new_orbit(plan%wide, start, real(length, real128) + rest(1), real(gravity, real128) + rest(2), &
+            real(first, real128), real(second, real128), error)
          if (.not. allocated(error)) call check_wide(plan, error)
 #endif
       end if
@@ -198,7 +197,7 @@ contains
    pure subroutine set_up_fine(plan, start, length, gravity, first, second, rest, is_kept, error)
       type(accurate_orbit_type), intent(inout) :: plan
       integer, intent(in) :: start
-      real(real64), intent(in) :: length, gravity, first(:), second(:), rest
+      real(real64), intent(in) :: length, gravity, first(:), second(:), rest(2)
       logical, intent(out) :: is_kept
       type(error_type), allocatable, intent(out) :: error
 

@@ -32,12 +32,12 @@ contains
 
    !> The constants of an orbit of any start, whose numbers count as they are, in binary. `form_scalar` where there is
    !> no closed form in polynomials, or where a gap is so small that its last digits leave the range.
-   pure subroutine from_start(b, start, length, gravity, first, second, gravity_rest, phase, error)
+   pure subroutine from_start(b, start, length, gravity, first, second, rests, phase, error)
       type(wide_batch_type), intent(out) :: b
       integer, intent(in) :: start                     !! One of the `start_*` constants
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
       real(real64), intent(in) :: first(:), second(:)  !! What the start takes: (3) of a state, else (1)
-      real(real64), intent(in) :: gravity_rest         !! What of g its rounding took off [m/s2]
+      real(real64), intent(in) :: rests(2)             !! What of l and g their rounding took off [m, m/s2]
       real(real64), intent(in) :: phase(2)             !! Of a state: time since an upper turning point, nearly [s]
       type(error_type), allocatable, intent(out) :: error
       type(gaps_type) :: gaps
@@ -48,22 +48,22 @@ contains
       is_upper = .true.
       select case (start)
       case (start_heights)
-         call gaps_from_heights(gaps, length, gravity, first(1), second(1), error, gravity_rest)
+         call gaps_from_heights(gaps, length, gravity, first(1), second(1), error, rests)
       case (start_gaps)
-         call gaps_from_gaps(gaps, length, gravity, first(1), second(1), error, gravity_rest)
+         call gaps_from_gaps(gaps, length, gravity, first(1), second(1), error, rests)
       case (start_rises)
-         call gaps_from_rises(gaps, length, gravity, first(1), second(1), error, gravity_rest)
+         call gaps_from_rises(gaps, length, gravity, first(1), second(1), error, rests)
       case (start_energy)
-         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_total, error, gravity_rest)
+         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_total, error, rests)
       case (start_energy_above_top)
-         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_above_top, error, gravity_rest)
+         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_above_top, error, rests)
       case (start_energy_above_bottom)
-         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_above_bottom, error, gravity_rest)
+         call gaps_from_energy(gaps, length, gravity, first(1), second(1), energy_is_above_bottom, error, rests)
       case (start_release)
-         call gaps_from_release(gaps, length, gravity, first(1), second(1), is_upper, error, gravity_rest)
+         call gaps_from_release(gaps, length, gravity, first(1), second(1), is_upper, error, rests)
       case default
          call gaps_from_state(gaps, length, gravity, first, second, below_upper, above_lower, placed, moving, error, &
-            gravity_rest)
+            rests)
       end select
       if (allocated(error)) return
       call set_up(orbit, gaps)

@@ -41,7 +41,7 @@ module kyvadlo_string
    !> The whole motion, set up once; read-only after that.
    type :: string_motion_type
       real(wp) :: length = 0, gravity = 0                  !! [m], [m/s2]
-      real(wp) :: gravity_rest = 0                         !! What of g its rounding took off [m/s2]
+      real(wp) :: rests(2) = 0                             !! What of l and g their rounding took off [m, m/s2]
       real(wp) :: until = -1                               !! The motion is known from 0 to this time [s]
       type(string_piece_type), allocatable :: pieces(:)
       type(string_event_type), allocatable :: events(:)    !! events(i) lies between pieces(i) and pieces(i+1)
@@ -63,8 +63,7 @@ module kyvadlo_string
 contains
 
    !> Follows the bob from a start on or in the sphere for a duration, event by event.
-   pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error, &
-         gravity_rest)
+   pure subroutine new_string_motion(motion, length, gravity, position, velocity, restitution, duration, error, rests)
       type(string_motion_type), intent(out) :: motion
       real(wp), intent(in) :: length, gravity         !! l [m], g [m/s2]
       real(wp), intent(in) :: position(3)             !! At t = 0 [m]
@@ -72,8 +71,8 @@ contains
       real(wp), intent(in) :: restitution             !! Of the radial speed at re-tension, 0 (inelastic) to 1
       real(wp), intent(in) :: duration                !! Events after it are left out [s]
       type(error_type), allocatable, intent(out) :: error
-      !> What of g its rounding took off, which swings feel after a time [m/s2]
-      real(wp), intent(in), optional :: gravity_rest
+      !> What of l and g their rounding took off, which swings feel after a time [m, m/s2]
+      real(wp), intent(in), optional :: rests(2)
       type(string_piece_type) :: piece
       type(string_event_type) :: event
       character(len=24) :: got
@@ -81,7 +80,7 @@ contains
 
       motion%length = length
       motion%gravity = gravity
-      if (present(gravity_rest)) motion%gravity_rest = gravity_rest
+      if (present(rests)) motion%rests = rests
       allocate (motion%pieces(8), motion%events(8))
       if (.not. (restitution >= 0 .and. restitution <= 1)) then
          write (got, '(es10.3)') restitution
@@ -93,7 +92,7 @@ contains
          if (allocated(error)) return
       else
          ! The set-up checks the rest, and puts the start exactly on the sphere.
-         call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error, gravity_rest)
+         call new_orbit_from_state(piece%orbit, length, gravity, position, velocity, error, rests)
          if (allocated(error)) return
          call piece%orbit%locate(0.0_wp, piece%position, piece%velocity)
          piece%is_taut = .not. piece%orbit%rod_force(0.0_wp) < 0
@@ -220,7 +219,7 @@ contains
       event%kind = merge(event_end_of_rattling, event_taut, restitution > 0)
       event%energy_lost = radial**2/2
       call new_orbit_from_state(piece%orbit, motion%length, motion%gravity, piece%position, piece%velocity, error, &
-         motion%gravity_rest)
+         motion%rests)
       if (allocated(error)) return
       ! Without radial velocity the bob may still be too slow for its height: then it falls at once.
       piece%is_taut = .not. piece%orbit%rod_force(0.0_wp) < 0

@@ -40,7 +40,7 @@ module kyvadlo_simulation_path
    type :: path_type
       integer :: path = 0                       !! One of the `path_*` constants
       real(wp) :: length = 0, gravity = 0       !! Of the pendulum [m], [m/s2]
-      real(wp) :: gravity_rest = 0              !! What of the effective gravity its rounding took off [m/s2]
+      real(wp) :: rests(2) = 0                  !! What of l and the effective gravity their rounding took off [m, m/s2]
       type(effects_type) :: effects
       type(orbit_type) :: orbit                 !! Through the start, without effects but buoyancy
       type(accurate_orbit_type), allocatable :: plan !! For places to an accuracy; not allocated: all digits
@@ -116,9 +116,9 @@ contains
          if (allocated(error)) return
          path%gravity = numbers%gravity
          numbers%gravity = effective_gravity(path%gravity, settings%effects%density_ratio, settings%effects%added_mass)
-         path%gravity_rest = effective_gravity_rest(path%gravity, settings%effects%density_ratio, &
+         numbers%rests(2) = effective_gravity_rest(path%gravity, settings%effects%density_ratio, &
             settings%effects%added_mass)
-         numbers%gravity_rest = path%gravity_rest
+         path%rests = numbers%rests
          path%tolerance = default_tolerance
          if (present(accuracy)) path%tolerance = accuracy
          path%most_steps = default_most_steps
@@ -295,7 +295,7 @@ contains
             return
          end if
          call new_string_motion(path%string, numbers%length, numbers%gravity, path%position, path%velocity, &
-            settings%effects%restitution, path%duration, error, path%gravity_rest)
+            settings%effects%restitution, path%duration, error, path%rests)
          if (allocated(error)) then
             error%message = place_of(settings%file, simulation%pendulum%start_line)//'&pendulum: '//error%message
             return
@@ -379,7 +379,7 @@ contains
       associate (pendulum => simulation%pendulum)
          call new_orbit_to_accuracy(path%plan, pendulum%start, numbers%length, numbers%gravity, &
             numbers%first(:pendulum%values), numbers%second(:pendulum%values), accuracy, path%duration, error, &
-            path%gravity_rest)
+            path%rests)
       end associate
       if (.not. allocated(error) .and. lost_phase(path) > max(accuracy, finest_of_parts)) &
          call fail(error, code_unsupported, '')

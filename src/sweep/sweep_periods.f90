@@ -135,7 +135,8 @@ contains
             if (abs(lower_rise(i)) > 0 .and. &
                abs((upper_gap(i) - length) + (lower_rise(i) - length)) > 2*length*edge) cycle
             period(i) = quiet_nan_real64
-            call new_orbit(orbit, start_gaps, length, gravity_of(plan), upper_gap(i:i), lower_rise(i:i), error, rest)
+            call new_orbit(orbit, start_gaps, length, gravity_of(plan), upper_gap(i:i), lower_rise(i:i), error, &
+               [0.0_wp, rest])
             if (allocated(error)) cycle
             if (.not. any(constants_of_orbit(orbit) /= constants_of_orbit(orbit))) period(i) = orbit%period()
          end do

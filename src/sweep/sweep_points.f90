@@ -257,7 +257,7 @@ contains
          if (is_far_off(start, numbers(column_length), numbers(column_first), numbers(column_second))) return
          n = plan%scene%pendulum%values
          call new_orbit(orbit, start, numbers(column_length), gravity, numbers(column_first:column_first + n - 1), &
-            numbers(column_second:column_second + n - 1), error, rest)
+            numbers(column_second:column_second + n - 1), error, [0.0_wp, rest])
          if (allocated(error)) return
          constants = constants_of_orbit(orbit)
          ! What `eval orbit` refuses.

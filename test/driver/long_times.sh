@@ -44,6 +44,31 @@ for start in $starts; do
    last "$4" "$5" "$6" "in a fluid, $start"
 done
 
+# Of a body the length is a quotient that no double is: 1.4e-7 l off.
+echo '&pendulum gravity=9.80665, release_angle=60, release_speed=0 / &body inertia=1, distance=0.75, mass=1 / &output duration=1e9, samples=2 /' >body.nml
+for options in '' '--accuracy 1e-12' "--accuracy $finest"; do
+   run simulate body.nml $options
+   last -1.1394852429226013729 '' -0.69235190397614847284 "a body, $options"
+done
+for body in 'inertia=1, distance=0.75, mass=1' 'bob_diameter=0.125, mass=1, wire_mass=0.25'; do
+   for start in $starts; do
+      has_quad || break
+      case $body in inertia*) start=${start#*,} ;; esac
+      # The sphere of a body is another.
+      case $body-$start in
+         inertia*position*) start='position=0.8046875,0,-1.0625,velocity=0,1.125,0' ;;
+         *position*) start='length=1,position=0.578125,0,-0.76953125,velocity=0,1.125,0' ;;
+      esac
+      echo "&pendulum gravity=9.8125, $start / &body $body / &output duration=1e9, samples=2 /" >start.nml
+      run simulate start.nml --accuracy 1e-17
+      expect_status 0
+      # shellcheck disable=SC2046
+      set -- "$1" "$2" $(tail -n 1 out | tr , ' ')
+      run simulate start.nml
+      last "$4" "$5" "$6" "$body, $start"
+   done
+done
+
 # Seen from a turning frame: an angle of 3e8 rad.
 cat >frame.nml <<'END'
 &pendulum length=1, gravity=2, z_upper=-0.5, z_lower=-0.5 /
