@@ -145,9 +145,10 @@ contains
 
    !> Whether the struct holds an orbit as a set-up of this library left it.
    integer(c_int) function kyvadlo_is_set_up(orbit) result(answer) bind(c)
-      type(c_orbit_type), intent(in) :: orbit
+      type(c_orbit_type), intent(in), optional :: orbit   !! A null pointer holds none
 
-      answer = has_seal(orbit)
+      answer = 0
+      if (present(orbit)) answer = has_seal(orbit)
    end function kyvadlo_is_set_up
 
    !> Lets the positions of an orbit cost less; where that fails the orbit stays as it is.

@@ -133,7 +133,7 @@ void kyvadlo_cubic_roots_many(size_t count, const double *a, const double *b, co
    that was never set up, or changed, every function answers NaN or a code. It may be copied as a whole. */
 typedef struct { double hidden[KYVADLO_ORBIT_SIZE]; } kyvadlo_orbit;
 
-/* 1 if the struct holds an orbit as a set-up left it, else 0. */
+/* 1 if the struct holds an orbit as a set-up left it, else 0, also of a null pointer. */
 int kyvadlo_is_set_up(const kyvadlo_orbit *orbit);
 
 /* sizeof(kyvadlo_orbit), for languages that do not read this file. */

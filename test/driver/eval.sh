@@ -35,7 +35,9 @@ fails 1 'error: K: outside the domain (m <= 1), got 2.0' eval K 2.0
 fails 1 "error: K: argument 1: '0x1p3': not a number" eval K 0x1p3
 fails 1 "error: K: argument 1: '1,5': not a number" eval K 1,5
 fails 1 "error: K: argument 1: 'nan': not a number" eval K nan
-fails 1 "error: K: argument 1: 'inf': not a number" eval K inf
+fails 1 'error: K: outside the domain (m <= 1), got inf' eval K inf
+run eval K -INF
+expect_out 0e+00
 fails 1 "error: K: argument 1: '1e400': too large for the double kind" eval K 1e400
 fails 1 "error: K: argument 1: '-1e40': too large for the single kind" eval --kind single K -1e40
 run eval K 1e-400
@@ -51,6 +53,12 @@ fails 1 'error: theta: outside the domain (i = 1, 2, 3 or 4' eval theta 2.5 0 0.
 fails 1 'error: rf: outside the domain (x, y, z >= 0), got -1 2 3' eval rf -1 2 3
 fails 1 'error: jacobi: overflow' eval jacobi 1e200 -1e250
 fails 1 'error: zetac: overflow' eval zetac 1e200 1e250
+fails 1 'error: el3: overflow, x**2 or kc**2 leaves the range' eval el3 -3e140 -2.7e173 1.7e-300
+fails 1 'error: orbit: overflow, a constant of the motion' eval orbit 1e300 1e-300 0 -0.1
+fails 1 'error: position: overflow, the kind cannot tell the phase' eval position 1 9.8 0 -0.5 1e40
+fails 1 'error: azimuth: overflow, the kind cannot tell the phase' eval azimuth 1 9.8 0 -0.5 1e40
+fails 1 'error: azimuth: outside the domain (a bob at rest' eval azimuth 1 9.8 -1 -1 1e40
+fails 1 'error: passage_azimuth: outside the domain' eval passage_azimuth 1 9.8 0 -0.5 -1
 fails 1 'error: zeta: outside the domain (m <= 1), got' eval zeta 1 2
 # Infinities, and words that look like options behind the name.
 run eval rf Infinity 1 2

@@ -196,6 +196,7 @@ static void try_broken_orbits(void)
         && strstr(message, "kyvadlo_orbit_to_accuracy: orbit is not set up") != NULL, "the accuracy of an orbit that failed");
   memset(&orbit, 0, sizeof orbit);
   check(kyvadlo_is_set_up(&orbit) == 0 && answers(&orbit) == 0, "a zeroed orbit");
+  check(kyvadlo_is_set_up(NULL) == 0, "no orbit at all");
   srand(1);
   for (i = 0; i < 1500; i++) {
     for (k = 0; k < (int)sizeof orbit; k++) bytes[k] = (unsigned char)(rand() >> 7);
