@@ -163,7 +163,7 @@ contains
          ! What is left of accelerations that balance has no direction.
          rounding = 64*epsilon(tension)*(forces%weight + norm2(forces%effects%pivot_amplitude* &
             forces%effects%pivot_frequency**2))
-         if (maxval(abs(acceleration(:2))) > rounding) run%azimuth = atan2(acceleration(2), acceleration(1))
+         if (maxval(abs(acceleration(:2))) > rounding) run%azimuth = atan2(acceleration(2) + 0, acceleration(1))
       end if
       run%azimuth_before = run%azimuth
       run%first_azimuth = run%azimuth

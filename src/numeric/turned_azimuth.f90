@@ -21,10 +21,11 @@ contains
       real(wp), intent(in) :: before    !! [rad]
 
       azimuth = before
+      ! A zero with a sign would be half a turn down.
       if (.not. is_upright(x, y)) then
-         azimuth = atan2(y, x)
+         azimuth = atan2(y + 0, x)
       else if (.not. is_upright(vx, vy)) then
-         azimuth = atan2(vy, vx)
+         azimuth = atan2(vy + 0, vx)
       else
          return
       end if

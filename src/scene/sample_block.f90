@@ -266,7 +266,7 @@ contains
       associate (values => block%values, p => block%column(quantity_position), column => block%column(quantity_azimuth))
          do i = 1, merge(block%count, 0, column > 0)
             seen = values(i, column)
-            if (.not. is_upright(values(i, p), values(i, p + 1))) seen = atan2(values(i, p + 1), values(i, p))
+            if (.not. is_upright(values(i, p), values(i, p + 1))) seen = atan2(values(i, p + 1) + 0, values(i, p))
             seen = seen - frame_angle(rate, values(i, 1))
             values(i, column) = seen + two_pi*anint((values(i, column) - rate*values(i, 1) - seen)/two_pi)
          end do

@@ -66,7 +66,7 @@ contains
             event_group, body_group])) cycle
          what = place_of(file, settings%line(i))//'&'//trim(group_names(i))//' is computed by kyvadlo simulate'
          if (present(note)) then
-            note%text = what//'; here is the motion without it'
+            note%text = what//'; a table is of the motion without it'
          else
             call fail(error, code_input, what)
          end if

@@ -111,5 +111,11 @@ if "$program" --version | grep -q GSL; then
  relative=.true. /'
    follows 'pivot'
    expect_match '^0e+00,0e+00,0e+00,0e+00,0e+00,2.356194490192[0-9]*e+00$'
+   # A zero with a sign is no half turn down.
+   duration=0.2 scene 'position=0,0,-1, velocity=-1,-0,0' '&elastic stiffness=1000, mass=1 /'
+   expect_match '^0e+00,0e+00,0e+00,-1e+00,0e+00,3.141592653589793e+00$'
+   duration=0.2 scene 'position=-0.1,-0,-1, velocity=0,0,0' '&elastic stiffness=1000, mass=1 /'
+   follows 'elastic'
+   expect_match '^0e+00,-1e-01,0e+00,0e+00,0e+00,3.141592653589793e+00$'
 fi
 finish

@@ -382,7 +382,7 @@ run table cone.nml
 expect_status 0
 expect_in_out 'Conical: a level circle'
 checks=$((checks + 1))
-[ "$(cat err)" = 'kyvadlo: cone.nml:3: &turning_frame is computed by kyvadlo simulate; here is the motion without it' ] ||
+[ "$(cat err)" = 'kyvadlo: cone.nml:3: &turning_frame is computed by kyvadlo simulate; a table is of the motion without it' ] ||
    complain 'a note about &turning_frame expected'
 
 # Every row of the page's tables of names is that of the program.

@@ -227,4 +227,9 @@ endless '2: &air: the integration' "$plain
 &air linear=1e300 /"
 endless '2: &earth_rotation: the integration' "$plain
 &earth_rotation latitude=50, rate=1e300 /"
+# Values as they were typed, and by the name that was typed.
+echo '&pendulum length=1.0D0 z_upper=0.90D0 z_lower=-0.30D0 /' >typed.nml
+fails 2 'their sum must be negative, got z_upper = 0.90D0, z_lower = -0.30D0' table typed.nml
+echo '&pendulum length=1 energy_above_top=-30.0D0 momentum=1 /' >typed.nml
+fails 2 'got energy_above_top = -30.0D0, gravity = 9.80665, length = 1' simulate typed.nml
 finish
