@@ -44,6 +44,7 @@ fails 2 "option --accuracy must be a number, got 'high'" table --accuracy high
 run table --release-angle 90 --gravity 1
 expect_status 0
 expect_match '^  full swing, to and fro  *2T  *7.4162987092055 s$'
+expect_match '^  precession in a full swing  *2 lambda.T  *0 degrees$'
 run table --release-angle 1 --release-speed 0.01 --gravity 1
 expect_match '^  precession in a full swing  *2 lambda.T  *0.0235[0-9]* degrees$'
 run table --release-angle -30 --format csv --data
