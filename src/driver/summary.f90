@@ -39,12 +39,14 @@ module kyvadlo_summary
    type, extends(sample_sink_type) :: summary_type
       type(extreme_type), allocatable :: extremes(:)   !! For `simulate`: the largest and least of three columns
       integer, private :: top = 0                      !! Number of the event of a highest point
-      integer, private :: columns(9) = 0               !! x vx major minor plane handedness energy drag_work pivot_work
+      integer, private :: columns(10) = 0  !! x vx major minor plane handedness energy drag_work pivot_work azimuth
       integer, private :: swings = 0, tops = 0, samples = 0, flights = 0
       real(wp), private :: swing_times(2) = 0          !! Of the first and the last highest point, in flight too
       real(wp), private :: times(2) = 0, planes(2) = 0, radii(2) = 0 !! ... of a swing
-      real(wp), private :: area_sum = 0, support_sum = 0
-      real(wp), private :: first(3) = 0, last(3) = 0, ends(2) = 0 !! The last columns of the first and the last sample
+      real(wp), private :: area_sum = 0, support_turn = 0
+      real(wp), private :: ellipse(4) = 0              !! Radii, sense, plane in the resting frame of the highest point before
+      real(wp), private :: first(3) = 0, last(3) = 0   !! Columns 7 to 9 of the first and the last sample
+      real(wp), private :: ends(2) = 0, azimuths(2) = 0 !! Times and azimuths of these
       real(wp), private :: slack_since = -1, slack_time = 0, lost = 0
       real(wp), private :: gravity = 0, frame_rate = 0, frequencies(2) = 0
       logical, private :: moves = .false.              !! With the pivot, what is shown
@@ -67,7 +69,7 @@ contains
       type(simulation_type), intent(inout) :: wanted
       integer, parameter :: needed(*) = [quantity_position, quantity_velocity, quantity_speed, quantity_tension, &
          quantity_energy, quantity_drag_work, quantity_pivot_work, quantity_major, quantity_minor, quantity_plane, &
-         quantity_handedness]
+         quantity_handedness, quantity_azimuth]
       type(column_type), allocatable :: columns(:)
       integer :: i, place
 
@@ -97,8 +99,8 @@ contains
    subroutine begin_summary(sink, columns)
       class(summary_type), intent(inout) :: sink
       type(column_type), intent(in) :: columns(:)
-      character(len=*), parameter :: names(9) = [character(len=10) :: 'x', 'vx', 'major', 'minor', 'plane', &
-         'handedness', 'energy', 'drag_work', 'pivot_work']
+      character(len=*), parameter :: names(10) = [character(len=10) :: 'x', 'vx', 'major', 'minor', 'plane', &
+         'handedness', 'energy', 'drag_work', 'pivot_work', 'azimuth']
       integer :: i
 
       sink%columns = [(findloc(columns%name == names(i), .true., 1), i=1, size(names))]
@@ -114,10 +116,12 @@ contains
       n = size(values, 1)
       if (n == 0) return
       if (sink%samples == 0) then
-         sink%first = values(1, sink%columns(7:))
+         sink%first = values(1, sink%columns(7:9))
+         if (sink%columns(10) > 0) sink%azimuths(1) = values(1, sink%columns(10))
          sink%ends(1) = values(1, 1)
       end if
-      sink%last = values(n, sink%columns(7:))
+      sink%last = values(n, sink%columns(7:9))
+      if (sink%columns(10) > 0) sink%azimuths(2) = values(n, sink%columns(10))
       sink%ends(2) = values(n, 1)
       sink%samples = sink%samples + n
    end subroutine take_summary
@@ -143,7 +147,7 @@ contains
    subroutine take_top(sink, time, values)
       class(summary_type), intent(inout) :: sink
       real(wp), intent(in) :: time, values(:)
-      real(wp) :: position(3), velocity(3), displacement(3), pivot_velocity(3), twist
+      real(wp) :: position(3), velocity(3), displacement(3), pivot_velocity(3)
       type(orbit_type) :: orbit
       type(error_type), allocatable :: error
 
@@ -156,6 +160,9 @@ contains
          end if
          if (.not. is_finite(plane)) return
          sink%tops = sink%tops + 1
+         if (sink%tops > 1) sink%support_turn = sink%support_turn + turn_of_support(sink%ellipse, &
+            sink%frequencies*(time - sink%times(2)), plane + sink%frame_rate*time)
+         sink%ellipse = [major, minor, hand, plane + sink%frame_rate*time]
          if (sink%tops == 1) then
             sink%times = time
             sink%planes = plane
@@ -178,12 +185,26 @@ contains
          call new_orbit_from_state(orbit, norm2(position), sink%gravity, position, velocity, error)
          if (allocated(error)) return
          sink%area_sum = sink%area_sum + orbit%apsidal_rate()
-         ! The swing along x and the one along y come out of step (doc/effects.md).
-         twist = 2*major*minor/(major**2 - minor**2)
-         sink%support_sum = sink%support_sum - hand*(sink%frequencies(1) - sink%frequencies(2))/2*twist &
-            *cos(2*(plane + sink%frame_rate*time))
       end associate
    end subroutine take_top
+
+   !> By how much the swings along x and y, that come out of step, turn the plane of an ellipse (doc/effects.md) [rad]:
+   !> exactly, as it turns fast where the ellipse passes a circle.
+   pure real(wp) function turn_of_support(ellipse, phases, seen) result(turn)
+      real(wp), intent(in) :: ellipse(4)  !! Radii, sense, plane [rad]
+      real(wp), intent(in) :: phases(2)   !! By which the swings along x and y go on [rad]
+      real(wp), intent(in) :: seen        !! The plane that is seen afterwards: it tells half turns [rad]
+      real(wp) :: squares
+      complex(wp) :: product
+
+      ! The squares' difference, and the product of the amplitude along y and the conjugate of the one along x.
+      squares = (ellipse(1)**2 - ellipse(2)**2)*cos(2*ellipse(4))
+      product = cmplx((ellipse(1)**2 - ellipse(2)**2)*sin(2*ellipse(4))/2, -ellipse(3)*ellipse(1)*ellipse(2), wp)
+      turn = -atan2(2*product%re, squares)/2
+      product = product*exp(cmplx(0, phases(2) - phases(1), wp))
+      turn = turn + atan2(2*product%re, squares)/2
+      turn = turn - pi*anint((turn - (seen - ellipse(4)))/pi)
+   end function turn_of_support
 
    !> Everything, after the last sample.
    subroutine write_summary(summary, simulation, path, as_json, sink)
@@ -227,7 +248,7 @@ contains
             call sink%put('period:     '//number(period)//trim(merge(' s, a revolution', ' s to and fro   ', &
                revolves()))//counted())
          else
-            call sink%put('period:     none found: fewer than two highest points')
+            call sink%put('period:     none found: fewer than two highest points, no revolution')
          end if
          line = 'precession: none found'
          if (precession == precession) line = 'precession: '//in_degrees(precession)//' ('//number(precession)// &
@@ -299,8 +320,8 @@ contains
       end function tops_text
 
       logical function revolves()
-         revolves = path%path == path_closed_form .and. any(path%orbit%motion == [motion_conical, &
-            motion_plane_rotation])
+         revolves = path%path /= path_closed_form .and. summary%swings < 2
+         if (path%path == path_closed_form) revolves = any(path%orbit%motion == [motion_conical, motion_plane_rotation])
       end function revolves
 
       !> What the works do not account for.
@@ -312,7 +333,10 @@ contains
          character(len=:), allocatable :: counted
 
          counted = ''
-         if (path%path /= path_closed_form) counted = ', mean of '//integer_text(summary%swings - 1)//' half swings'
+         if (path%path == path_closed_form) return
+         counted = ', mean of '//integer_text(summary%swings - 1)//' half swings'
+         if (summary%swings < 2) counted = ', mean of '// &
+            trim(digits_text((summary%ends(2) - summary%ends(1))/period, 4))//' revolutions'
       end function counted
    end subroutine write_summary
 
@@ -322,6 +346,7 @@ contains
       type(path_type), intent(in) :: path
       real(wp), intent(out) :: period, precession   !! [s], [rad/s]; NaN: none
       real(wp), intent(out) :: parts(:)             !! [rad/s]
+      real(wp) :: turned
 
       period = quiet_nan_real64
       precession = quiet_nan_real64
@@ -340,12 +365,18 @@ contains
          end select
          return
       end if
-      if (summary%swings > 1) period = 2*(summary%swing_times(2) - summary%swing_times(1))/(summary%swings - 1)
+      if (summary%swings > 1) then
+         period = 2*(summary%swing_times(2) - summary%swing_times(1))/(summary%swings - 1)
+      else if (all(is_finite(summary%azimuths))) then
+         ! A cone that air lets sink has no highest point, but goes round.
+         turned = abs(summary%azimuths(2) - summary%azimuths(1))/(2*pi)
+         if (turned >= 1) period = (summary%ends(2) - summary%ends(1))/turned
+      end if
       if (summary%tops > 1) then
          precession = (summary%planes(2) - summary%planes(1))/(summary%times(2) - summary%times(1))
          parts(area) = summary%area_sum/summary%tops
          parts(earth) = 0 - path%effects%turn_rate(3)
-         parts(support) = summary%support_sum/summary%tops
+         parts(support) = summary%support_turn/(summary%times(2) - summary%times(1))
          parts(frame) = 0 - summary%frame_rate
       end if
    end subroutine find_rates

@@ -39,6 +39,9 @@ for number in 1 2; do
    expect_in_out ' s, a revolution'
 done
 
+run simulate "$top/examples/scenes/conical_drag.nml" --summary
+expect_in_out 's, a revolution, mean of '
+
 # Linear drag k: the amplitude falls to 1/e in 2/k, Q = omega/k.
 cat >drag.nml <<'END'
 &pendulum length=1 release_angle=0.5 /
@@ -63,6 +66,17 @@ is earth "$(awk 'BEGIN { print -7.292115e-5*sin(50*atan2(0, -1)/180) }')" 1e-5
 checks=$((checks + 1))
 tr ',{}' '\n\n\n' <out | awk -F': ' '/precession_rad_per_s/ { whole = $2 } /"(area|earth|support)"/ { sum += $2; n++ }
    END { exit !(n == 3 && (whole - sum)^2 < (0.003*whole)^2) }' || complain 'the parts make up the whole'
+
+# Also where the ellipse passes near a circle and its plane turns by 60 degrees within some swings.
+cat >circle.nml <<'END'
+&pendulum length=2 position=0.05,0.03,-1.99914982 velocity=0,0,0 /
+&anisotropic_support extra_length_x=0.02 /
+&output duration=300 samples=2 /
+END
+run simulate circle.nml --summary json
+checks=$((checks + 1))
+tr ',{}' '\n\n\n' <out | awk -F': ' '/precession_rad_per_s/ { whole = $2 } /"(area|earth|support)"/ { sum += $2; n++ }
+   END { exit !(n == 3 && (whole - sum)^2 < (0.002*whole)^2) }' || complain 'the parts make up the whole'
 
 # The Pantheon: 11.3 degrees an hour.
 cat >paris.nml <<'END'
