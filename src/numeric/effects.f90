@@ -7,7 +7,7 @@ module kyvadlo_effects
    use kyvadlo_curves, only: curve_type
    implicit none
    private
-   public :: effects_type, any_effect, check_effects, has_drag, has_hoist, has_moving_pivot, earth_turn_rate, &
+   public :: effects_type, put_coefficient, any_effect, check_effects, has_drag, has_hoist, has_moving_pivot, earth_turn_rate, &
       air_coefficients, sphere_coefficients, sphere_drag, largest_reynolds
 
    !> The effects of a scene; each is off unless given. Forces are per mass of the bob.
@@ -40,8 +40,48 @@ module kyvadlo_effects
    !> The curve of Brown and Lawler: 24/Re (1 + stokes Re**power) + newton/(1 + turn/Re), and where it ends.
    real(wp), parameter :: stokes = 0.15_wp, power = 0.681_wp, newton = 0.407_wp, turn = 8710
    real(wp), parameter :: largest_reynolds = 2e5_wp
+   real(wp), parameter :: degree = acos(-1.0_wp)/180
 
 contains
+
+   !> Puts a number of a scene, or how fast it changes, in its place, by `group.name`.
+   pure subroutine put_coefficient(effects, name, element, value, is_put)
+      type(effects_type), intent(inout) :: effects
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: element           !! Of a vector; 1 for others
+      real(wp), intent(in) :: value
+      logical, intent(out) :: is_put           !! False: it is none, or goes into several or with others
+
+      is_put = .true.
+      select case (name)
+      case ('string.restitution')
+         effects%restitution = value
+      case ('buoyancy.density_ratio')
+         effects%density_ratio = value
+      case ('buoyancy.added_mass')
+         effects%added_mass = value
+      case ('air.linear')
+         effects%linear_drag = value
+      case ('air.quadratic')
+         effects%quadratic_drag = value
+      case ('wind.velocity')
+         effects%wind(element) = value
+      case ('moving_pivot.amplitude')
+         effects%pivot_amplitude(element) = value
+      case ('moving_pivot.frequency')
+         effects%pivot_frequency(element) = value
+      case ('moving_pivot.phase')
+         effects%pivot_phase(element) = value*degree
+      case ('hoist.rate')
+         effects%hoist_rate = value
+      case ('anisotropic_support.extra_length_x')
+         effects%extra_length(1) = value
+      case ('anisotropic_support.extra_length_y')
+         effects%extra_length(2) = value
+      case default
+         is_put = .false.
+      end select
+   end subroutine put_coefficient
 
    !> Whether the closed form does not answer. A string, buoyancy and a constant displacement of the pivot it does.
    pure logical function any_effect(effects)
@@ -117,7 +157,6 @@ contains
       real(wp), intent(in) :: latitude  !! North positive [degrees]
       real(wp), intent(in) :: rate      !! Of the Earth about its axis [rad/s]
       real(wp) :: turn_rate(3)
-      real(wp), parameter :: degree = acos(-1.0_wp)/180
 
       turn_rate = rate*[0.0_wp, cos(latitude*degree), sin(latitude*degree)]
       ! The cosine of a rounded right angle is not zero.

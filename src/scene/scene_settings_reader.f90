@@ -3,7 +3,7 @@ module kyvadlo_scene_settings_reader
    use, intrinsic :: iso_fortran_env, only: int64
    use kyvadlo_curves, only: move_curve
    use kyvadlo_decimal_grid, only: read_whole
-   use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type, sphere_coefficients
+   use kyvadlo_effects, only: air_coefficients, earth_turn_rate, effects_type, put_coefficient, sphere_coefficients
    use kyvadlo_group_values, only: read_group, set_defaults
    use kyvadlo_kinds, only: wp => real64
    use kyvadlo_namelist_file, only: group_type, place_of
@@ -262,15 +262,18 @@ contains
    !> The effects that follow from the numbers of a scene, and the rate of the frame.
    pure subroutine set_effects(chosen)
       type(settings_type), intent(inout) :: chosen
+      integer :: i, j
+      logical :: is_put
 
       chosen%frame_rate = number(turning_frame_group, 'rate')
       associate (effects => chosen%effects)
+         do i = 1, size(settings)
+            do j = 1, settings(i)%values
+               call put_coefficient(effects, trim(group_names(settings(i)%group))//'.'//trim(settings(i)%name), j, &
+                  chosen%number(j, i), is_put)
+            end do
+         end do
          effects%is_string = chosen%given(string_group)
-         effects%restitution = number(string_group, 'restitution')
-         effects%density_ratio = number(buoyancy_group, 'density_ratio')
-         effects%added_mass = number(buoyancy_group, 'added_mass')
-         effects%linear_drag = number(air_group, 'linear')
-         effects%quadratic_drag = number(air_group, 'quadratic')
          effects%sphere_speed = 0
          if (.not. (number(air_group, 'mass') > 0 .and. number(air_group, 'diameter') > 0)) then
             continue   ! No bob, or one that is refused later.
@@ -283,12 +286,8 @@ contains
                number(air_group, 'density'), number(air_group, 'viscosity'), effects%linear_drag, &
                effects%quadratic_drag)
          end if
-         effects%wind = vector(wind_group, 'velocity')
          if (chosen%given(earth_rotation_group)) effects%turn_rate = &
             earth_turn_rate(number(earth_rotation_group, 'latitude'), number(earth_rotation_group, 'rate'))
-         effects%pivot_amplitude = vector(moving_pivot_group, 'amplitude')
-         effects%pivot_frequency = vector(moving_pivot_group, 'frequency')
-         effects%pivot_phase = vector(moving_pivot_group, 'phase')*degree
          if (number(moving_pivot_group, 'circle_radius') > 0) then
             effects%pivot_amplitude(:2) = number(moving_pivot_group, 'circle_radius')
             effects%pivot_frequency(:2) = abs(number(moving_pivot_group, 'circle_rate'))
@@ -298,9 +297,6 @@ contains
             number(moving_pivot_group, 'acceleration'), number(moving_pivot_group, 'jerk'))
          if (chosen%given(elastic_group)) effects%stiffness = number(elastic_group, 'stiffness')/number(elastic_group, &
             'mass')
-         effects%hoist_rate = number(hoist_group, 'rate')
-         effects%extra_length = [number(anisotropic_support_group, 'extra_length_x'), &
-            number(anisotropic_support_group, 'extra_length_y')]
       end associate
 
    contains

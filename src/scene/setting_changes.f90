@@ -4,7 +4,7 @@ module kyvadlo_setting_changes
    use kyvadlo_derivatives_real64, only: derivatives_type, new_derivatives_from_gaps, new_derivatives_from_heights, &
       new_derivatives_from_rises, new_derivatives_from_state
    use kyvadlo_buoyancy, only: effective_gravity
-   use kyvadlo_effects, only: earth_turn_rate, effects_type
+   use kyvadlo_effects, only: earth_turn_rate, effects_type, put_coefficient
    use kyvadlo_force_changes, only: change_type
    use kyvadlo_forces, only: forces_type, new_forces
    use kyvadlo_integration_start, only: begin_motion
@@ -121,6 +121,7 @@ contains
       type(derivative_type), intent(in) :: which
       integer, intent(in) :: start                     !! One of the `start_*` constants
       type(setting_change_type), intent(out) :: new
+      logical :: is_put
 
       associate (effects => new%change%effects, e => which%element, old => chosen%effects, &
          value => chosen%number(which%element, which%setting))
@@ -129,18 +130,8 @@ contains
             ! The numbers of the pendulum say it.
          case ('pendulum.gravity')
             new%change%gravity = 1
-         case ('string.restitution')
-            effects%restitution = 1
-         case ('buoyancy.density_ratio')
-            effects%density_ratio = 1
-         case ('buoyancy.added_mass')
-            effects%added_mass = 1
          case ('turning_frame.rate')
             new%frame_rate = 1
-         case ('air.linear')
-            effects%linear_drag = 1
-         case ('air.quadratic')
-            effects%quadratic_drag = 1
          case ('air.diameter')
             effects%linear_drag = old%linear_drag/value
             effects%quadratic_drag = 2*old%quadratic_drag/value
@@ -154,8 +145,6 @@ contains
          case ('air.viscosity')
             effects%linear_drag = old%linear_drag/value
             effects%sphere_speed = old%sphere_speed/value
-         case ('wind.velocity')
-            effects%wind(e) = 1
          case ('earth_rotation.latitude')
             ! A quarter turn on.
             effects%turn_rate = chosen%number(1, setting_place(earth_rotation_group, 'rate'))*degree* &
@@ -163,28 +152,18 @@ contains
          case ('earth_rotation.rate')
             effects%turn_rate = earth_turn_rate(chosen%number(1, setting_place(earth_rotation_group, 'latitude')), &
                1.0_wp)
-         case ('moving_pivot.amplitude')
-            effects%pivot_amplitude(e) = 1
-         case ('moving_pivot.frequency')
-            effects%pivot_frequency(e) = 1
          case ('moving_pivot.circle_radius')
             effects%pivot_amplitude(:2) = 1
          case ('moving_pivot.circle_rate')
             effects%pivot_frequency(:2) = sign(1.0_wp, value)
-         case ('moving_pivot.phase')
-            effects%pivot_phase(e) = degree
-         case ('hoist.rate')
-            effects%hoist_rate = 1
          case ('elastic.stiffness')
             effects%stiffness = old%stiffness/value
          case ('elastic.mass')
             effects%stiffness = -old%stiffness/value
-         case ('anisotropic_support.extra_length_x')
-            effects%extra_length(1) = 1
-         case ('anisotropic_support.extra_length_y')
-            effects%extra_length(2) = 1
          case default
-            new%start(merge(1, 2, settings(which%setting)%name == starts(start)%first), e) = 1
+            call put_coefficient(effects, trim(group_names(settings(which%setting)%group))//'.'// &
+               trim(settings(which%setting)%name), e, 1.0_wp, is_put)
+            if (.not. is_put) new%start(merge(1, 2, settings(which%setting)%name == starts(start)%first), e) = 1
          end select
       end associate
    end subroutine change_of_setting
