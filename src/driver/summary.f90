@@ -44,7 +44,8 @@ module kyvadlo_summary
       real(wp), private :: swing_times(2) = 0          !! Of the first and the last highest point, in flight too
       real(wp), private :: times(2) = 0, planes(2) = 0, radii(2) = 0 !! ... of a swing
       real(wp), private :: area_sum = 0, support_turn = 0
-      real(wp), private :: ellipse(4) = 0              !! Radii, sense, plane in the resting frame of the highest point before
+      !> Of the highest point before: radii, sense, plane in the resting frame.
+      real(wp), private :: ellipse(4) = 0
       real(wp), private :: first(3) = 0, last(3) = 0   !! Columns 7 to 9 of the first and the last sample
       real(wp), private :: ends(2) = 0, azimuths(2) = 0 !! Times and azimuths of these
       real(wp), private :: slack_since = -1, slack_time = 0, lost = 0

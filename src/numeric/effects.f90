@@ -7,8 +7,8 @@ module kyvadlo_effects
    use kyvadlo_curves, only: curve_type
    implicit none
    private
-   public :: effects_type, put_coefficient, any_effect, check_effects, has_drag, has_hoist, has_moving_pivot, earth_turn_rate, &
-      air_coefficients, sphere_coefficients, sphere_drag, largest_reynolds
+   public :: effects_type, put_coefficient, any_effect, check_effects, has_drag, has_hoist, has_moving_pivot, &
+      earth_turn_rate, air_coefficients, sphere_coefficients, sphere_drag, largest_reynolds
 
    !> The effects of a scene; each is off unless given. Forces are per mass of the bob.
    type :: effects_type
