@@ -152,6 +152,13 @@ contains
          if (minimum%is_found .and. present(near)) return
          if (decrement < 1e-3_wp*small) return
          step = matmul(step, vt)/scale
+         if (minimum%is_found .and. all(abs(step) < tiny_part**0.5_wp)) then
+            ! So near there is nothing to look at: whoever asks for sigmas next evaluates all at x.
+            x = x - step
+            minimum%squares = before - decrement
+            minimum%iterations = minimum%iterations + 1
+            return
+         end if
          part = 1
          do k = 1, most_halves
             y = x - part*step
