@@ -117,7 +117,9 @@ def joined(path):
     return lines
 
 
-sources = [path for folder in ("elliptic", "arithmetic", "pendulum") for path in sorted((TOP / "src" / folder).glob("*.[fF]90"))]
+# (The orbits in double-double numbers bear the names of the public ones.)
+sources = [path for folder in ("elliptic", "arithmetic", "pendulum") for path in sorted((TOP / "src" / folder).glob("*.[fF]90"))
+           if not path.name.startswith("double_double")]
 sources.append(TOP / "src/release.f90")
 modules, uses, procedures, generics, types = {}, {}, {}, {}, {}
 for path in sources:
@@ -156,14 +158,17 @@ for path in sources:
             procedures.setdefault(kind[3], (kind[1], kind[2], kind[4], kind[5], doc, body))
         shape = re.match(r"type(?:,[^:]*)? ::\s*(\w+)$", text)
         if shape:
-            components, bound = [], []
+            components, bound = [], {}
             for following in lines[number + 1:]:
                 if re.match(r"\s*end type", following):
                     break
                 item = following.strip()
                 if item.startswith(("procedure", "generic")):
                     if "private" not in item.partition("::")[0]:
-                        bound += [word.partition("=>")[0].strip() for word in item.partition("::")[2].split("," if "procedure" in item else "@")]
+                        # Of a generic name the first procedure is shown.
+                        for word in item.partition("::")[2].split("," if "procedure" in item else "@"):
+                            own, _, target = word.partition("=>")
+                            bound.setdefault(own.strip(), target.split(",")[0].strip() or own.strip())
                 elif "::" in item and "private" not in item.partition("::")[0] and not item.startswith("!"):
                     components.append(item)
             types.setdefault(shape[1], (doc, components, bound))
@@ -285,12 +290,31 @@ def comment(lines):
     return [f"!> {line}" if line else "!>" for line in lines]
 
 
+def shared_words(name, said, body, of_type):
+    """Domain and error where they are the same for a family, and its sources say them once."""
+    words = []
+    if name.endswith("c") and name[:-1] in public and "domain" not in said:
+        words += ["", f"Domain, error and source as [[{name[:-1]}]], of m = 1 - mc."]
+    if name.startswith("neville_"):
+        words += ["", "Domain and source as [[jacobi_functions]]; so is the error of the ratios."]
+    if re.match("new_(orbit|derivatives|string_motion)", name):
+        words += ["", "Domain: length and gravity positive and finite, and a start that is one."]
+    if any("error_type" in line for line in body):
+        words += ["", "Error: `error` is allocated with a code and a sentence that names the rule and the values; what was to be set up",
+                  "answers NaN then."]
+    elif of_type:
+        words += [""] + ["Domain: what is set up; NaN else."]*("domain" not in said) \
+            + ["Errors: [Accuracy](../page/accuracy.html)."]*("error" not in said)
+    return words
+
+
 def stub(name, specific, of_type=None):
     """A procedure with its comment and arguments, and nothing in it."""
     attributes, kind, arguments, result, doc, body = procedures[specific]
     text = [clean(line) for line in doc]
     if RATIO.match(name) or name.startswith("jacobi_am"):
         text += ["", "Domain, error and source as [[jacobi_functions]]; Infinity at a pole."]
+    text += shared_words(name, " ".join(text).lower(), body, of_type)
     if formula_of.get(name) or formula_of.get(specific):
         text += ["", "**Formula.** " + mathematics("; ".join(formula_of.get(name) or formula_of.get(specific)))]
     drawn = picture(name)
@@ -312,18 +336,29 @@ def find(name):
             return candidate
 
 
-shown_types = [name for name in public if public[name] in types and not re.search(r"_real(32|64|128)$", name)]
+shown_types = sorted((name for name in public if public[name] in types and not re.search(r"_real(32|64|128)$", name)),
+                     key=lambda name: (name != "orbit_type", name))
 module = [f"!> What `use kyvadlo` gives: every procedure by its generic name, here with the arguments of double precision (where there are",
           "!> single and quadruple ones, the same names take them). What belongs to an orbit is bound to its type: `orbit%period()`.",
           "module kyvadlo", "implicit none", "private", ""]
 contained, done, without = [], set(), []
 for name in shown_types:
     doc, components, bound = types[public[name]]
-    module += comment([clean(line) for line in doc]) + [f"type, public :: {name}"]
+    doc = re.sub(r" Components below `motion` are .*", "", " ".join(doc))
+    module += comment([clean(doc)]) + [f"type, public :: {name}"]
+    # Of an orbit what is below `motion` is the evaluation's; so is all of other set-ups, and what has no public type.
+    if name in ("jacobi_type", "derivatives_type"):
+        components = []
+    if name == "orbit_type":
+        components = components[:1 + next(i for i, line in enumerate(components) if re.search(r":: motion\b", line))]
+    components = [line for line in components if "mark" not in line.partition("=")[0]
+                  and all(used in public.values() for used in re.findall(r"type\((\w+)\)", line))]
+    for shown in shown_types:
+        components = [line.replace(f"type({public[shown]})", f"type({shown})") for line in components]
     module += [clean(line) for line in components] or ["integer :: hidden"]
     implementations = []
-    for item in bound:
-        specific = find(item) or find(item + "_at") or find("locate_at" if item == "locate" else "")
+    for item, target in bound.items():
+        specific = find(target)
         if not specific:
             continue
         own = item if item not in done else name.replace("_type", "_") + item

@@ -20,7 +20,8 @@ contains
    !> T, k, k', K, q, A, phi(T) and lambda T of many orbits with the gaps l - z1 and l + z2: what the functions of an
    !> orbit give after a set-up, in a tenth of the time, by vector kernels; next to the upright (k'**2 < 1/64) by a
    !> set-up.
-   !> NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; arrays of different sizes give NaN.
+   !> Domain: 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; NaN elsewhere and for arrays of different
+   !> sizes.
    !> Error 8 ulp at worst, of A, which is a difference, 10 (test/unit/test_many_orbits.pf).
    subroutine orbits_constants_from_gaps(length, gravity, upper_gap, lower_rise, constants, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
@@ -56,8 +57,8 @@ contains
    end subroutine orbits_constants_from_gaps
 
    !> lambda T = phi(T) - pi of many orbits with the gaps l - z1 and l + z2 [rad], (35): what `apsidal_advance` gives
-   !> after a set-up, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up. NaN unless 0 <= lower_rise <
-   !> upper_gap <= 2 l - lower_rise, l > 0; arrays of different sizes give NaN.
+   !> after a set-up, by vector kernels; next to the upright (k'**2 < 1/64) by a set-up.
+   !> Domain: 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0; NaN elsewhere and for arrays of different sizes.
    !> Error 8 ulp at worst (test/unit/test_many_orbits.pf).
    subroutine orbits_advance_from_gaps(length, upper_gap, lower_rise, advance, highest_level, threads)
       real(real64), intent(in) :: length                                !! l [m]
@@ -169,7 +170,8 @@ contains
    !> Positions, and velocities if wanted, of many orbits with the gaps l - z1 and l + z2 at one time, counted from the
    !> upper turning height at azimuth 0: for orbits that are evaluated once, by vector kernels; next to the upright
    !> (k'**2 < 1/64) by a set-up.
-   !> NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; arrays of different sizes give NaN.
+   !> Domain: 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; NaN elsewhere and for arrays of different
+   !> sizes.
    !> Error 6 eps l + 3 eps |t| v and 6 eps v + 3 eps |t| (g + v**2/l) at worst, v the greatest speed: the period has
    !> the digits of the kind only (test/unit/test_many_orbits.pf).
    subroutine orbits_locate_from_gaps(length, gravity, upper_gap, lower_rise, time, position, velocity, threads, &

@@ -13,7 +13,8 @@ module kyvadlo_periods
 contains
 
    !> T, (16), of the orbit with the gaps l - z1 and l + z2 [s]: what `period` gives after a set-up, in a twentieth of
-   !> the time. NaN unless 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0.
+   !> the time.
+   !> Domain: 0 <= lower_rise < upper_gap <= 2 l - lower_rise, l > 0, g > 0; NaN elsewhere.
    !> Error 3 ulp at worst (test/unit/test_periods.pf).
    elemental real(real64) function orbit_period_from_gaps(length, gravity, upper_gap, lower_rise) result(period)
       real(real64), intent(in) :: length, gravity      !! l [m], g [m/s2]
@@ -28,8 +29,8 @@ contains
       call period_point(length*unit, factor, upper_gap*unit, lower_rise*unit, period)
    end function orbit_period_from_gaps
 
-   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`. Arrays of different sizes
-   !> give NaN.
+   !> T of many orbits of one pendulum, by vector kernels; each one by itself, as in `locate`.
+   !> Domain and error as `orbit_period_from_gaps`; arrays of different sizes give NaN.
    subroutine orbits_period_from_gaps(length, gravity, upper_gap, lower_rise, period, highest_level, threads)
       real(real64), intent(in) :: length, gravity                       !! l [m], g [m/s2]
       real(real64), intent(in), dimension(:) :: upper_gap, lower_rise     !! l - z1, l + z2 [m] (n)

@@ -41,9 +41,22 @@ if "<math" not in (site / "proc/elliptic_k.html").read_text() or "polyline" not 
 
 # What computes a number has its formula; what makes or asks an orbit need not.
 without = [name for name in procedures if "Formula." not in (site / "proc" / f"{name}.html").read_text()
-           and not re.match(r"new_|neville|is_|take_|kyvadlo_|.*(_text|time_limit|from_upper|polar_angle_terms|starts_in_flight|locate|period|_count|evaluate)", name)]
+           and not re.match(r"new_|neville|of_|is_|take_|kyvadlo_|.*(_text|time_limit|from_upper|polar_angle_terms|starts_in_flight|locate|period|_count|evaluate)", name)]
 if without:
     bad.append(f"no formula: {without}")
+# Every one says where it is defined and how far off it may be, but those that answer in words, counts or truth.
+for name in procedures:
+    if not re.match(r"is_|kyvadlo_|.*(_text|_count|starts_in_flight)$", name):
+        said = re.sub(r"<[^>]*>", " ", (site / "proc" / f"{name}.html").read_text().partition("</nav>")[2]).lower()
+        bad += [f"{name} says nothing of its {word}" for word in ("domain", "error") if word not in said]
+# The orbit's are those of the public type, with nothing of the evaluation.
+for name in ("height", "azimuth", "locate", "azimuth_rate", "time_to_height", "evaluate", "of_period"):
+    if procedures.count(name) != 1:
+        bad.append(f"{name}, which is bound to a type, stands {procedures.count(name)} times among the procedures")
+for page in list((site / "type").glob("*.html")) + list((site / "proc").glob("*.html")):
+    inner = re.findall(r"type\((\w*(?:pair|batch|gaps|harmonics|kernel)\w*)\)|\b(start_phase|length_power|series_nome)\b", page.read_text())
+    if inner:
+        bad.append(f"{page.relative_to(site)} shows what is inside: {inner[0]}")
 
 
 def browse(address):
