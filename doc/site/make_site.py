@@ -376,6 +376,9 @@ for name in public:
         contained += stub(name, specific)
     else:
         without.append(name)
+lost = [name for name in without if not re.match(r"(code|motion|start|event|accuracy)_|kyvadlo_(version_number|error_type)$", name)]
+if lost:
+    raise SystemExit(f"public, and not found in the sources: {lost}")
 listed = sorted(done)
 module += ["public :: " + ", &\n   ".join(listed), "", "contains", ""] + contained + ["end module kyvadlo"]
 api = WORK / "api"
